@@ -1,0 +1,78 @@
+// The only file that asks "host or device": qualifiers, fixed-width types and the math both sides share bit for bit.
+#pragma once
+
+#if defined(__CUDACC__)
+#define RW_GPU 1
+#define RW_FN __device__ __forceinline__
+#define RW_HOST_FN __host__ __device__ __forceinline__
+#else
+#define RW_GPU 0
+#define RW_FN inline
+#define RW_HOST_FN inline
+#endif
+
+namespace raywalk {
+
+using u8 = unsigned char;
+using u32 = unsigned int;
+using i32 = int;
+using u64 = unsigned long long;
+
+constexpr float kMaxFloat = 3.402823466e+38f;
+
+// Contraction is off on both sides; a fused multiply-add happens exactly where it is written.
+#if RW_GPU
+RW_FN float fma(float a, float b, float c) {
+  return __fmaf_rn(a, b, c);
+}
+RW_FN float square_root(float a) {
+  return __fsqrt_rn(a);
+}
+RW_FN float divide(float a, float b) {
+  return __fdiv_rn(a, b);
+}
+RW_FN u32 bits_of(float a) {
+  return __float_as_uint(a);
+}
+RW_FN float float_of(u32 a) {
+  return __uint_as_float(a);
+}
+#else
+RW_FN float fma(float a, float b, float c) {
+  return __builtin_fmaf(a, b, c);
+}
+RW_FN float square_root(float a) {
+  return __builtin_sqrtf(a);
+}
+RW_FN float divide(float a, float b) {
+  return a / b;
+}
+RW_FN u32 bits_of(float a) {
+  return __builtin_bit_cast(u32, a);
+}
+RW_FN float float_of(u32 a) {
+  return __builtin_bit_cast(float, a);
+}
+#endif
+
+// The comparison drops a NaN in the first argument: smaller(NaN, b) == b and larger(NaN, b) == b.
+RW_FN float smaller(float a, float b) {
+  return a < b ? a : b;
+}
+RW_FN float larger(float a, float b) {
+  return a > b ? a : b;
+}
+RW_FN u32 smaller(u32 a, u32 b) {
+  return a < b ? a : b;
+}
+RW_FN u32 larger(u32 a, u32 b) {
+  return a > b ? a : b;
+}
+RW_FN float magnitude(float a) {
+  return float_of(bits_of(a) & 0x7fffffffu);
+}
+RW_FN bool is_finite(float a) {
+  return (bits_of(a) & 0x7f800000u) != 0x7f800000u;
+}
+
+}  // namespace raywalk

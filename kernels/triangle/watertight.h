@@ -1,0 +1,55 @@
+// Watertight ray-triangle test: no ray slips between triangles that share an edge or a vertex.
+// Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, with edge functions by Kahan's
+// difference of products, whose sign is exact, so that neighbours agree on a shared edge without a double fallback.
+#pragma once
+#include "kernels/ray.h"
+#include "kernels/scene_view.h"
+
+namespace raywalk {
+
+/// A ray sheared so that it runs along +z from the origin; made once a ray.
+struct WatertightRay {
+  u32 kx, ky, kz;
+  float sx, sy, sz;
+  Vec3 o;
+
+  WatertightRay() = default;
+  RW_FN explicit WatertightRay(const Ray& ray) : o(ray.o) {
+    const Vec3 m = magnitude(ray.d);
+    kz = m.x > m.y ? (m.x > m.z ? 0u : 2u) : (m.y > m.z ? 1u : 2u);
+    kx = kz == 2u ? 0u : kz + 1u;
+    ky = kx == 2u ? 0u : kx + 1u;
+    const float dz = ray.d[kz];
+    if (dz < 0.0f) {  // keep the winding
+      const u32 swap = kx;
+      kx = ky;
+      ky = swap;
+    }
+    sx = divide(ray.d[kx], dz);
+    sy = divide(ray.d[ky], dz);
+    sz = divide(1.0f, dz);
+  }
+};
+
+/// Writes t, u, v and returns true when the line of the ray meets the triangle, edges and vertices included.
+/// The caller compares t with the interval. Degenerate and non-finite triangles are never met.
+RW_FN bool intersect(const WatertightRay& ray, const Corners& triangle, float& t, float& u, float& v) {
+  const Vec3 a = triangle.a - ray.o, b = triangle.b - ray.o, c = triangle.c - ray.o;
+  const float ax = fma(-ray.sx, a[ray.kz], a[ray.kx]), ay = fma(-ray.sy, a[ray.kz], a[ray.ky]);
+  const float bx = fma(-ray.sx, b[ray.kz], b[ray.kx]), by = fma(-ray.sy, b[ray.kz], b[ray.ky]);
+  const float cx = fma(-ray.sx, c[ray.kz], c[ray.kx]), cy = fma(-ray.sy, c[ray.kz], c[ray.ky]);
+  const float wa = difference_of_products(cx, by, cy, bx);
+  const float wb = difference_of_products(ax, cy, ay, cx);
+  const float wc = difference_of_products(bx, ay, by, ax);
+  if ((wa < 0.0f || wb < 0.0f || wc < 0.0f) && (wa > 0.0f || wb > 0.0f || wc > 0.0f)) return false;
+  const float det = wa + wb + wc;
+  if (!(magnitude(det) > 0.0f)) return false;  // also drops NaN
+  const float inverse = divide(1.0f, det);
+  const float z = fma(wa, a[ray.kz], fma(wb, b[ray.kz], wc * c[ray.kz]));
+  t = z * ray.sz * inverse;
+  u = wb * inverse;
+  v = wc * inverse;
+  return is_finite(t);
+}
+
+}  // namespace raywalk
