@@ -1,0 +1,52 @@
+// Camera paths of walkthroughs: an orbit around an object or a spline through keys.
+#pragma once
+#include <variant>
+#include <vector>
+
+#include "kernels/vec.h"
+
+namespace raywalk {
+
+/// Right-handed; `up` is a unit vector that need not be perpendicular to the view direction.
+struct CameraPose {
+  Vec3 eye;
+  Vec3 target;
+  Vec3 up;
+  float vertical_fov_deg;
+};
+
+/// A circle around the vertical (y) axis through `centre`, seen from `elevation_deg` above the horizon.
+struct OrbitPath {
+  Vec3 centre;
+  float radius;
+  float elevation_deg;
+  float start_deg;  // azimuth of frame 0, from +z towards +x
+  float turns;
+  float vertical_fov_deg;
+};
+
+struct CameraKey {
+  Vec3 eye;
+  Vec3 target;
+  float vertical_fov_deg;
+};
+
+/// Centripetal Catmull-Rom curve through the keys, at an even speed of the eye; at least two keys, `up` is +y.
+struct SplinePath {
+  std::vector<CameraKey> keys;
+};
+
+struct CameraPath {
+  std::variant<OrbitPath, SplinePath> shape;
+  u32 frames = 400;  // of the walkthrough as it was designed
+};
+
+/// The camera of frame `frame` when the whole path is shown in `frame_count` frames. Frame 0 is the start; an orbit
+/// closes (frame `frame_count` would be frame 0 again for whole turns), a spline ends on its last key.
+/// Throws std::invalid_argument if frame >= frame_count or a spline has fewer than two keys.
+CameraPose pose_at(const CameraPath& path, u32 frame, u32 frame_count);
+
+/// The orbit for an object of which only the bounds are known; an empty box is taken as the unit box.
+CameraPath orbit_around(const Box& bounds);
+
+}  // namespace raywalk
