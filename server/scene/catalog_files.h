@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "server/scene/paper_figures.h"
 #include "server/scene/scene.h"
 
 namespace raywalk {
@@ -26,7 +25,7 @@ struct SceneInfo {
   u32 frames = 400;
   bool has_generator = false;         // a triangle count may be asked for
   std::vector<std::string> features;  // names as in kernels/features.h, lower case, of materials and lights
-  std::optional<PaperFigures> paper;  // of the study's Tables 1 and 2
+  std::string paper_json;             // the manifest's `paper` object (checked) as JSON text; empty if there is none
 };
 
 class UnknownScene : public std::runtime_error {
