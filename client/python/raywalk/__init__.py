@@ -1,0 +1,1 @@
+"""Client of the Raywalk daemon: scenes, structures, frames, rays and benchmarks over HTTP."""
