@@ -3,17 +3,9 @@
 #include <variant>
 #include <vector>
 
-#include "kernels/vec.h"
+#include "kernels/shade/camera.h"
 
 namespace raywalk {
-
-/// Right-handed; `up` is a unit vector that need not be perpendicular to the view direction.
-struct CameraPose {
-  Vec3 eye;
-  Vec3 target;
-  Vec3 up;
-  float vertical_fov_deg;
-};
 
 /// A circle around the vertical (y) axis through `centre`, seen from `elevation_deg` above the horizon.
 struct OrbitPath {

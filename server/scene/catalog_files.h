@@ -23,9 +23,8 @@ struct SceneInfo {
   std::string credit;    // of the original; empty for procedural scenes
   std::string home_url;  // public home of the original's archive; empty for procedural scenes
   u32 frames = 400;
-  bool has_generator = false;         // a triangle count may be asked for
-  std::vector<std::string> features;  // names as in kernels/features.h, lower case, of materials and lights
-  std::string paper_json;             // the manifest's `paper` object (checked) as JSON text; empty if there is none
+  bool has_generator = false;  // a triangle count may be asked for
+  std::string paper_json;      // the manifest's `paper` object (checked) as JSON text; empty if there is none
 };
 
 class UnknownScene : public std::runtime_error {
