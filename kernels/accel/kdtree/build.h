@@ -10,8 +10,8 @@ enum class Sah { kExact, kSampled };
 /// Costs are relative to each other; the defaults were measured on the CPU kernels.
 struct Config {
   Sah sah = Sah::kExact;
-  double traversal_cost = 15.0;
-  double intersection_cost = 20.0;
+  double traversal_cost = 1.5;
+  double intersection_cost = 1.0;
   double empty_bonus = 0.2;  // a split that cuts off empty space costs this much less, as a fraction
 };
 
