@@ -70,6 +70,9 @@ def run(command: list[str | Path], environment: dict[str, str] | None = None) ->
     except subprocess.TimeoutExpired:
         print(f"stopped after {STAGE_LIMIT_S} s")
         return 124
+    except OSError as error:
+        print(f"could not be started: {error}")
+        return 127
 
 
 def check(*command: str | Path) -> Counts:
