@@ -1,0 +1,5 @@
+"""The command line `raywalk`."""
+
+from raywalk.cli.app import app, main
+
+__all__ = ["app", "main"]

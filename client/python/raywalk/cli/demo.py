@@ -1,0 +1,90 @@
+"""raywalk demo: the main job from start to end."""
+
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from raywalk.cli.session import connected, results, size, writable_file, writable_folder
+from raywalk.client import Client
+from raywalk.follow import benchmark, built
+from raywalk.models import BenchmarkSpec, Technique
+from raywalk.progress import bar, job_bar, messages
+from raywalk.showcase import render_walk, sheet_of
+from raywalk.tables import table1, table2, terminal, write_tables
+from raywalk.tables.files import result_json
+
+MODES = ["primary", "shadow", "whitted"]
+SHOWN_MODE = "whitted"
+
+
+def techniques_of(client: Client) -> list[Technique]:
+    """All but bare loops and brute force, which would take hours."""
+    return [
+        Technique(structure=kind.name, traversal=traversal.name)
+        for kind in client.get_kinds()
+        for traversal in kind.traversals
+        if not traversal.baseline and kind.name != "brute"
+    ]
+
+
+def demo(
+    context: typer.Context,
+    scene: Annotated[str, typer.Option(help="Name of a scene.")] = "bunny",
+    frames: Annotated[int, typer.Option(min=1, max=100000, help="Frames of the walkthrough.")] = 12,
+    size_: Annotated[str, typer.Option("--size", help="Pixels.", metavar="WxH")] = "512x512",
+    out: Annotated[Path, typer.Option(help="Folder for tables, result and images.")] = Path("out/demo"),
+) -> None:
+    """Measure every structure and traversal on one walkthrough: tables, results.json, frames and a contact sheet."""
+    start = time.monotonic()
+    width, height = size(size_)
+    folder = writable_folder(out)
+    images = writable_folder(folder / "frames")
+    for name in ("table1.md", "table2.md", "results.json", "contact-sheet.png"):
+        writable_file(folder / name)
+    for old in images.glob("*.png"):
+        old.unlink()
+    console = messages()
+    with connected(context) as client:
+        with bar(f"loading {scene}"):
+            loaded = client.load_scene(scene)
+        console.print(f"{loaded.title}: {loaded.triangles:,} triangles, {loaded.fidelity}")
+        techniques = techniques_of(client)
+        build_all(client, scene, techniques)
+        spec = BenchmarkSpec.model_validate(
+            {"scene": scene, "techniques": techniques, "modes": MODES, "width": width, "height": height}
+            | {"frames": frames, "warmup": 1}
+        )
+        with job_bar(scene, width * height, console) as progress:
+            result = benchmark(client, spec, progress)
+        (folder / "results.json").write_text(result_json(result))
+        tables = {1: table1([result]), 2: table2([result])}
+        write_tables(tables, folder, "md")
+        with bar("images", frames, console) as progress:
+            walk = render_walk(
+                client,
+                result,
+                SHOWN_MODE,
+                images,
+                lambda done: progress.update(done, frames, f"{progress.rate(done):.1f} frames/s"),
+            )
+            progress.update(0, None, what="contact sheet")
+            sheet_of(client, result, SHOWN_MODE, walk).save(folder / "contact-sheet.png")
+    for table in tables.values():
+        results().print(terminal(table))
+    console.print(
+        f"wrote table1.md, table2.md, results.json, {len(walk)} frames and contact-sheet.png in {folder} "
+        f"after {time.monotonic() - start:.0f} s"
+    )
+
+
+def build_all(client: Client, scene: str, techniques: list[Technique]) -> None:
+    kinds = list(dict.fromkeys(technique.structure for technique in techniques))
+    console = messages()
+    with bar("building", len(kinds), console) as progress:
+        for number, kind in enumerate(kinds):
+            progress.update(number, len(kinds), what=f"building {kind}")
+            structure = built(client, scene, kind)
+            facts = f"{(structure.size_bytes or 0) / 1e6:.1f} MB in {structure.build_ms or 0:.0f} ms"
+            console.print(f"built {kind}: {facts}")

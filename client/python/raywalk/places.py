@@ -1,0 +1,55 @@
+"""Where things are: the checkout, its scenes, original scene data, the daemon's program."""
+
+import os
+import shutil
+from pathlib import Path
+
+from raywalk.errors import RaywalkError
+
+
+def checkout() -> Path | None:
+    """The folder of the sources: the one that holds this package, else the one that holds the working folder."""
+    for start in (Path(__file__).resolve(), Path.cwd().resolve() / "x"):
+        for folder in start.parents:
+            if (folder / "proto" / "openapi.yaml").is_file() and (folder / "scenes").is_dir():
+                return folder
+    return None
+
+
+def scenes_dir() -> Path:
+    """The catalogue's manifests."""
+    root = checkout()
+    if root is None:
+        raise RaywalkError("the folder scenes/ was not found; run this inside the checkout of Raywalk")
+    return root / "scenes"
+
+
+def data_dir() -> Path:
+    """Original scene data: RAYWALK_SCENE_DATA, else scenes/data of the checkout."""
+    named = os.environ.get("RAYWALK_SCENE_DATA")
+    return Path(named) if named else scenes_dir() / "data"
+
+
+def daemon_places() -> list[Path]:
+    """Where the daemon is looked for, in order."""
+    places = []
+    if named := os.environ.get("RAYWALKD"):
+        places.append(Path(named))
+    if root := checkout():
+        places.append(root / "build" / "release" / "server" / "raywalkd")
+    if found := shutil.which("raywalkd"):
+        places.append(Path(found))
+    return places
+
+
+def daemon_program() -> Path:
+    """The daemon's program. One that RAYWALKD names must be there: no other takes its place."""
+    places = daemon_places()
+    for place in places[:1] if os.environ.get("RAYWALKD") else places:
+        if place.is_file() and os.access(place, os.X_OK):
+            return place
+    looked = ", ".join(str(place) for place in places) or "PATH"
+    raise RaywalkError(
+        f"raywalkd was not found (looked for {looked}); build it with ./run build, name it in RAYWALKD, "
+        "or name a running daemon with --server"
+    )

@@ -1,0 +1,92 @@
+"""A table as data, and its three forms: Markdown, CSV and the terminal."""
+
+import csv
+import io
+from dataclasses import dataclass, field
+from typing import Literal
+
+from rich import box
+from rich.table import Table as RichTable
+
+Cell = str | int | float | None
+Form = Literal["md", "csv", "term"]
+NONE = "—"
+
+
+@dataclass(frozen=True)
+class Column:
+    """`group` is the heading that neighbours share; `digits` is how numbers are rounded (None: as they are)."""
+
+    name: str
+    group: str = ""
+    digits: int | None = None
+    left: bool = False
+    bar: bool = False  # a rule before it on the terminal
+
+    @property
+    def title(self) -> str:
+        return f"{self.group} {self.name}".strip()
+
+    def show(self, cell: Cell) -> str:
+        if cell is None:
+            return NONE
+        if isinstance(cell, float) and self.digits is not None:
+            return f"{cell:,.{self.digits}f}".replace(",", " ") if abs(cell) >= 1e5 else f"{cell:.{self.digits}f}"
+        return str(cell)
+
+
+@dataclass
+class Table:
+    """`machine` is the short line that says where the figures come from."""
+
+    title: str
+    machine: str
+    columns: list[Column]
+    rows: list[list[Cell]] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    sections: set[int] = field(default_factory=set)  # rows that a rule precedes on the terminal
+    best: set[int] = field(default_factory=set)  # rows set off as the best of their group
+
+
+def markdown(table: Table) -> str:
+    lines = [table.machine, "", f"**{table.title}**", ""]
+    lines.append("| " + " | ".join(column.title for column in table.columns) + " |")
+    lines.append("|" + "|".join("---" if column.left else "---:" for column in table.columns) + "|")
+    for number, row in enumerate(table.rows):
+        cells = [column.show(cell).replace("|", "\\|") for column, cell in zip(table.columns, row, strict=True)]
+        if number in table.best:
+            cells = [f"**{cell}**" if cell and cell != NONE else cell for cell in cells]
+        lines.append("| " + " | ".join(cells) + " |")
+    lines += [""] + [f"- {note}" for note in table.notes] if table.notes else []
+    return "\n".join(lines) + "\n"
+
+
+def csv_text(table: Table) -> str:
+    """Figures unrounded; the machine line is a comment in front."""
+    out = io.StringIO()
+    out.write(f"# {table.machine}\n")
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([column.title for column in table.columns])
+    writer.writerows([["" if cell is None else cell for cell in row] for row in table.rows])
+    return out.getvalue()
+
+
+def terminal(table: Table) -> RichTable:
+    caption = "\n".join([f"[not bold]{table.machine}[/]", *(f"• {note}" for note in table.notes)])
+    shown = RichTable(
+        title=f"[bold]{table.title}[/]",
+        caption=caption,
+        caption_justify="left",
+        title_justify="left",
+        box=box.SIMPLE_HEAD,
+        padding=(0, 1, 0, 0),
+    )
+    for column in table.columns:
+        heading = f"[cyan]{column.group}[/]\n{column.name}" if column.group else f"\n{column.name}"
+        shown.add_column(heading, justify="left" if column.left else "right", no_wrap=True)
+    for number, row in enumerate(table.rows):
+        if number in table.sections:
+            shown.add_section()
+        cells = [column.show(cell) for column, cell in zip(table.columns, row, strict=True)]
+        shown.add_row(*cells, style="bold green" if number in table.best else None)
+    return shown
