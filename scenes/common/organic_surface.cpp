@@ -1,4 +1,4 @@
-// Radius over direction: three merged bulbs, twisted lobes, ridges as of a brain coral, grain.
+// Radius over direction: two merged bulbs under spirals of scales, with ridges and grain.
 #include "scenes/common/organic_surface.h"
 
 #include <cmath>
@@ -29,36 +29,45 @@ float smooth_step(float lo, float hi, float x) {
   return t * t * (3.0f - 2.0f * t);
 }
 
+struct Angle {
+  float cosine, sine;
+};
+Angle turned(double turns) {
+  return {static_cast<float>(cosine_turns(turns)), static_cast<float>(sine_turns(turns))};
+}
+Angle sum(Angle a, Angle b) {
+  return {a.cosine * b.cosine - a.sine * b.sine, a.cosine * b.sine + a.sine * b.cosine};
+}
+Angle times(Angle a, int n) {
+  Angle result = {1.0f, 0.0f};
+  for (int i = 0; i < n; ++i) result = sum(result, a);
+  return result;
+}
+
+/// Scales in 8 left-handed and 13 right-handed spirals, as plants grow them: 1 on top of a scale, 0 between scales.
+/// `azimuth` is around the axis, `height` along it.
+float scales(Angle azimuth, float height) {
+  const float left = sum(times(azimuth, 8), turned(1.05f * height)).cosine;
+  const float right = sum(times(azimuth, 13), turned(-1.30f * height)).cosine;
+  return square_root(square_root(0.25f * (1.0f + left) * (1.0f + right) + 0.002f));
+}
+
 float radius_at(Vec3 d) {
-  float r = far_side(d, {0.0f, -0.12f, 0.0f}, 0.82f);
-  r = smooth_larger(r, far_side(d, {0.12f, 0.50f, 0.05f}, 0.60f), 0.35f);
-  r = smooth_larger(r, far_side(d, {0.34f, 0.66f, 0.12f}, 0.78f) - 0.20f, 0.30f);
+  // A pear that leans a little.
+  float r = far_side(d, {0.0f, -0.16f, 0.0f}, 0.80f);
+  r = smooth_larger(r, far_side(d, {0.10f, 0.42f, 0.05f}, 0.56f), 0.40f);
 
-  // Seven lobes that wind around the axis; cos(7 * angle) as a power of a complex number needs no arc tangent.
   const float waist = square_root(d.x * d.x + d.z * d.z);
-  const float twist = 0.16f * d.y;
-  const float ct = static_cast<float>(cosine_turns(twist)), st = static_cast<float>(sine_turns(twist));
-  const float inverse = waist > 1e-6f ? 1.0f / waist : 0.0f;
-  const float x = (d.x * ct - d.z * st) * inverse, z = (d.x * st + d.z * ct) * inverse;
-  float re = 1.0f, im = 0.0f;
-  for (int i = 0; i < 7; ++i) {
-    const float next = re * x - im * z;
-    im = re * z + im * x;
-    re = next;
-  }
-  const float lobes = smooth_step(0.15f, 0.75f, waist) * smooth_step(-1.0f, -0.2f, -d.y);
-  r *= 1.0f + 0.075f * lobes * (re - 0.4f * re * re);
-
-  // Ridges along the level lines of a warped noise.
+  const Angle azimuth = waist > 1e-6f ? Angle{d.x / waist, d.z / waist} : Angle{1.0f, 0.0f};
   const Vec3 p = r * d;
-  const Vec3 warp = {noise(1.7f * p + Vec3{3.1f, 0.0f, 0.0f}), noise(1.7f * p + Vec3{0.0f, 7.7f, 0.0f}),
-                     noise(1.7f * p + Vec3{0.0f, 0.0f, 5.3f})};
-  const float level = noise(2.6f * p + 0.9f * warp);
-  const float wave = static_cast<float>(sine_turns(2.6f * level));
-  const float ridge = 1.0f - square_root(wave * wave + 0.04f);
-  const float where = smooth_step(-0.15f, 0.35f, noise(1.1f * p + Vec3{9.0f, 2.0f, 4.0f}) + 0.25f);
-  const float grain = fractal_noise(22.0f * p, 3);
-  return r + 0.045f * where * ridge + 0.0045f * grain + 0.02f * fractal_noise(4.0f * p, 2);
+  // Scales get smaller towards the ends, and grow a little unevenly.
+  const float height = 2.1f * d.y / square_root(1.12f - d.y * d.y) + 0.10f * noise(2.3f * p);
+  const float strength = smooth_step(0.08f, 0.45f, waist) * (1.0f + 0.35f * noise(1.9f * p + Vec3{4.0f, 1.0f, 7.0f}));
+  const float scale = scales(azimuth, height);
+  const float tips = smooth_step(0.72f, 1.0f, scale);
+  const float ridges = 1.0f - magnitude(noise(7.0f * p + Vec3{2.0f, 9.0f, 5.0f}));
+  const float grain = fractal_noise(26.0f * p, 3);
+  return r * (0.93f + strength * (0.13f * scale + 0.03f * tips)) + 0.014f * ridges * (1.0f - 0.5f * tips) + 0.0035f * grain;
 }
 
 }  // namespace

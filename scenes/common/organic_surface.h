@@ -1,4 +1,4 @@
-// The organic object's surface: a lobed body with winding ridges and fine grain.
+// The organic object's surface: a pear-shaped body under spirals of scales, with fine grain.
 #pragma once
 #include "scenes/common/surface.h"
 
