@@ -18,11 +18,14 @@ struct CameraPose {
   float vertical_fov_deg = 45;
 };
 
-/// Unit direction, unbounded interval. x and y in pixels.
+/// Unit direction through the centre of the pixel at column x, row y.
+RW_FN Vec3 primary_direction(const Camera& camera, float x, float y) {
+  return normalized(fma(x + 0.5f, camera.across, fma(y + 0.5f, camera.down, camera.corner)));
+}
+
+/// The ray through pixel (x, y), with an unbounded interval.
 RW_FN Ray primary_ray(const Camera& camera, u32 x, u32 y) {
-  const Vec3 d =
-      fma(static_cast<float>(x) + 0.5f, camera.across, fma(static_cast<float>(y) + 0.5f, camera.down, camera.corner));
-  return {camera.eye, 0.0f, normalized(d), kMaxFloat};
+  return {camera.eye, 0.0f, primary_direction(camera, static_cast<float>(x), static_cast<float>(y)), kMaxFloat};
 }
 
 }  // namespace raywalk

@@ -1,0 +1,91 @@
+// Loops over eight lanes that the compiler vectorises; kept out of line, since it gives that up once they are inlined.
+#include "kernels/shade/direct_batch.h"
+
+namespace raywalk {
+namespace {
+
+/// Where the hits of a batch lie.
+struct SurfaceBatch {
+  Vec3Batch position, normal;
+  u32 material[kBatch];
+};
+
+template <bool kNormals>
+void surfaces_of(SceneView scene, const HitBatch& batch, SurfaceBatch& surfaces) {
+  // Locals that nothing else can alias, or the loops stay scalar.
+  const HitBatch hits = batch;
+  Vec3Batch a, b, c, interpolated, position, normal;
+  for (u32 i = 0; i < kBatch; ++i) {
+    const Corners& t = scene.corners()[hits.id[i]];
+    const TriangleIndices& indices = scene.triangles()[hits.id[i]];
+    a.set(i, t.a);
+    b.set(i, t.b);
+    c.set(i, t.c);
+    if (kNormals) interpolated.set(i, interpolated_normal(scene, indices, hits.u[i], hits.v[i]));
+    surfaces.material[i] = indices.material;
+  }
+  for (u32 i = 0; i < kBatch; ++i) {
+    const Surface s = surface_of(a.get(i), b.get(i), c.get(i), hits.u[i], hits.v[i],
+                                 kNormals ? interpolated.get(i) : Vec3{0, 0, 0}, hits.d.get(i), 0);
+    position.set(i, s.position);
+    normal.set(i, s.normal);
+  }
+  surfaces.position = position;
+  surfaces.normal = normal;
+}
+
+/// Adds up the lamps; `terms_at(i)` are the material's terms for lane i.
+template <class TermsAt>
+void light_batch(SceneView scene, const SurfaceBatch& surfaces, const Vec3Batch& directions, TermsAt terms_at,
+                 Vec3Batch& colors) {
+  const SurfaceBatch s = surfaces;
+  const Vec3Batch d = directions;
+  Vec3Batch sum = colors;
+  for (u32 l = 0; l < scene.light_count(); ++l) {
+    const Light light = scene.lights()[l];
+    for (u32 i = 0; i < kBatch; ++i) {
+      const Vec3 lit = phong<true>(terms_at(i), light.intensity, s.normal.get(i),
+                                   normalized(light.position - s.position.get(i)), d.get(i));
+      sum.set(i, sum.get(i) + lit);
+    }
+  }
+  colors = sum;
+}
+
+}  // namespace
+
+void unshadowed_batch(SceneView scene, const HitBatch& batch, Vec3Batch& colors) {
+  SurfaceBatch surfaces;
+  if (scene.header().normals.count != 0) {
+    surfaces_of<true>(scene, batch, surfaces);
+  } else {
+    surfaces_of<false>(scene, batch, surfaces);
+  }
+  bool same = true;
+  for (u32 i = 0; i < kBatch; ++i) {
+    same &= surfaces.material[i] == surfaces.material[0];
+    colors.set(i, ambient_of(scene, surfaces.material[i]));
+  }
+  if (same) {  // most batches: the terms stay in registers
+    const PhongTerms terms = phong_terms(scene, surfaces.material[0]);
+    light_batch(
+        scene, surfaces, batch.d, [&](u32) { return terms; }, colors);
+    return;
+  }
+  Vec3Batch diffuse, specular;
+  alignas(32) float shininess[kBatch];
+  for (u32 i = 0; i < kBatch; ++i) {
+    const PhongTerms terms = phong_terms(scene, surfaces.material[i]);
+    diffuse.set(i, terms.diffuse);
+    specular.set(i, terms.specular);
+    shininess[i] = terms.shininess;
+  }
+  light_batch(
+      scene, surfaces, batch.d,
+      [&](u32 i) {
+        return PhongTerms{diffuse.get(i), specular.get(i), shininess[i]};
+      },
+      colors);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,129 @@
+// Colours of a group of pixels: Phong, shadow rays and Whitted's recursion, over any tracer; names no structure.
+// T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
+#pragma once
+#include "kernels/features.h"
+#include "kernels/frame_request.h"
+#include "kernels/shade/direct.h"
+
+namespace raywalk {
+
+constexpr u32 kMaxDepth = 16;
+
+/// A ray still to be followed and what it contributes. Depth first, at most one waits for each bounce.
+struct PendingRay {
+  Ray ray;
+  Vec3 weight;
+  u32 bounces_left;
+};
+
+/// Colours of `Tracer::kLocal` pixels (x[i], y[i]) of which `active` ones are wanted; others are left alone.
+/// A tracer has kLocal, closest(rays, active, hits) and occluded(rays, active, occluded) over arrays of kLocal lanes,
+/// and any(flags), true if a flag of any lane of the group is set.
+template <u32 kFeatures, class Tracer>
+RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, const u32* x, const u32* y,
+                    const bool* active, Vec3* color) {
+  constexpr u32 kLocal = Tracer::kLocal;
+  constexpr bool kSecondary = (kFeatures & (kFeatureReflection | kFeatureRefraction)) != 0;
+  const u32 lights = lights_of<kFeatures>(scene);
+
+  Ray rays[kLocal];
+  Vec3 weight[kLocal];
+  u32 bounces_left[kLocal];
+  bool alive[kLocal];
+  PendingRay pending[kSecondary ? kLocal : 1][kSecondary ? kMaxDepth + 1 : 1];
+  u32 waiting[kLocal];
+  for (u32 i = 0; i < kLocal; ++i) {
+    alive[i] = active[i];
+    waiting[i] = 0;
+    if (!active[i]) continue;
+    rays[i] = primary_ray(args.camera, x[i], y[i]);
+    weight[i] = {1, 1, 1};
+    bounces_left[i] = args.mode == Mode::whitted ? args.depth : 0u;
+    color[i] = {0, 0, 0};
+  }
+
+  if (args.mode == Mode::primary) {
+    Hit hits[kLocal];
+    tracer.closest(rays, alive, hits);
+    for (u32 i = 0; i < kLocal; ++i)
+      if (alive[i]) color[i] = unshadowed<kFeatures>(scene, hits[i], rays[i].d);
+    return;
+  }
+
+  for (;;) {
+    Hit hits[kLocal];
+    tracer.closest(rays, alive, hits);
+
+    Surface surfaces[kLocal];
+    bool lit[kLocal];
+    for (u32 i = 0; i < kLocal; ++i) {
+      lit[i] = alive[i] && hits[i].id != kMiss;
+      if (!alive[i]) continue;
+      if (!lit[i]) {
+        color[i] = color[i] + weight[i] * scene.header().background;
+        continue;
+      }
+      surfaces[i] = surface_at<(kFeatures & kFeatureNormals) != 0>(scene, hits[i], rays[i].d);
+      color[i] = color[i] + weight[i] * ambient_of(scene, surfaces[i].material);
+    }
+
+    for (u32 l = 0; l < lights; ++l) {
+      const Light& light = scene.lights()[l];
+      Vec3 contribution[kLocal];
+      bool wanted[kLocal];
+      Ray shadow[kLocal];
+      for (u32 i = 0; i < kLocal; ++i) {
+        wanted[i] = false;
+        if (!lit[i]) continue;
+        const Surface& s = surfaces[i];
+        const Vec3 to_light = light.position - s.position;
+        contribution[i] = phong<(kFeatures & kFeatureSpecular) != 0>(phong_terms(scene, s.material), light.intensity,
+                                                                     s.normal, normalized(to_light), rays[i].d);
+        wanted[i] = largest(contribution[i]) > 0.0f;
+        if (wanted[i]) {
+          const Vec3 origin = spawn_origin(s, to_light);
+          shadow[i] = {origin, 0.0f, light.position - origin, 1.0f};
+        }
+      }
+      if (!tracer.any(wanted)) continue;
+      bool occluded[kLocal];
+      tracer.occluded(shadow, wanted, occluded);
+      for (u32 i = 0; i < kLocal; ++i)
+        if (wanted[i] && !occluded[i]) color[i] = color[i] + weight[i] * contribution[i];
+    }
+
+    if (!kSecondary || args.mode != Mode::whitted) return;
+    for (u32 i = 0; i < kLocal; ++i) {
+      if (!alive[i]) continue;
+      if (lit[i] && bounces_left[i] > 0) {
+        const Surface& s = surfaces[i];
+        const Material& m = scene.materials()[s.material];
+        Vec3 mirrored = m.reflection;
+        if ((kFeatures & kFeatureRefraction) && largest(m.transmission) > 0.0f) {
+          Vec3 d;
+          if (refracted(rays[i].d, s.normal, s.front ? divide(1.0f, m.ior) : m.ior, d)) {
+            pending[i][waiting[i]++] = {
+                {spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * m.transmission, bounces_left[i] - 1};
+          } else {
+            mirrored = mirrored + m.transmission;  // total reflection
+          }
+        }
+        if (largest(mirrored) > 0.0f) {
+          const Vec3 d = normalized(reflected(rays[i].d, s.normal));
+          pending[i][waiting[i]++] = {
+              {spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * mirrored, bounces_left[i] - 1};
+        }
+      }
+      alive[i] = waiting[i] > 0;
+      if (alive[i]) {
+        const PendingRay& next = pending[i][--waiting[i]];
+        rays[i] = next.ray;
+        weight[i] = next.weight;
+        bounces_left[i] = next.bounces_left;
+      }
+    }
+    if (!tracer.any(alive)) return;
+  }
+}
+
+}  // namespace raywalk

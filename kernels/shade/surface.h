@@ -1,0 +1,65 @@
+// The point that a ray hit: position with its rounding error, normals, and rays that leave it without meeting it again.
+#pragma once
+#include "kernels/ray.h"
+#include "kernels/scene_view.h"
+
+namespace raywalk {
+
+struct Surface {
+  Vec3 position;
+  Vec3 error;             // bound of the rounding error of position, per component
+  Vec3 geometric_normal;  // unit, by the winding
+  Vec3 normal;            // unit, interpolated, on the side that the ray came from
+  bool front;             // the ray came from the side that the geometric normal points to
+  u32 material;
+};
+
+/// The surface where a ray of direction `d` meets the triangle a b c at barycentrics u, v; no memory is read and no
+/// branch is taken. `interpolated` is the sum of the weighted vertex normals, or zero when there are none.
+RW_FN Surface surface_of(Vec3 a, Vec3 b, Vec3 c, float u, float v, Vec3 interpolated, Vec3 d, u32 material) {
+  const float w = 1.0f - u - v;
+  const Vec3 pa = w * a, pb = u * b, pc = v * c;
+  Surface s;
+  s.position = pa + pb + pc;
+  s.error = (magnitude(pa) + magnitude(pb) + magnitude(pc)) * 4.1723263e-7f;  // gamma(7), Pharr et al., PBR 3.9.4
+  s.geometric_normal = normalized(cross(b - a, c - a));
+  s.front = dot(d, s.geometric_normal) <= 0.0f;
+  const float squared = dot(interpolated, interpolated);
+  const float scale = divide(dot(interpolated, s.geometric_normal) < 0.0f ? -1.0f : 1.0f, square_root(squared));
+  const Vec3 n = squared > 0.0f ? interpolated * scale : s.geometric_normal;
+  s.normal = n * (s.front ? 1.0f : -1.0f);
+  s.material = material;
+  return s;
+}
+
+/// Sum of the weighted vertex normals at a hit; zero when the scene has none.
+RW_FN Vec3 interpolated_normal(SceneView scene, const TriangleIndices& indices, float u, float v) {
+  if (scene.header().normals.count == 0) return {0, 0, 0};
+  const Vec3* normals = scene.normals();
+  return (1.0f - u - v) * normals[indices.a] + u * normals[indices.b] + v * normals[indices.c];
+}
+
+/// `hit` is a hit of a ray with direction `d`. kNormals: whether to look for vertex normals.
+template <bool kNormals>
+RW_FN Surface surface_at(SceneView scene, const Hit& hit, Vec3 d) {
+  const Corners& t = scene.corners()[hit.id];
+  const TriangleIndices& indices = scene.triangles()[hit.id];
+  const Vec3 interpolated = kNormals ? interpolated_normal(scene, indices, hit.u, hit.v) : Vec3{0, 0, 0};
+  return surface_of(t.a, t.b, t.c, hit.u, hit.v, interpolated, d, indices.material);
+}
+
+/// Start of a ray that leaves towards `d`: moved along the geometric normal past the position's error and then outward
+/// by the last bit, so that the ray cannot meet its own surface (Pharr et al., PBR 3.9.5).
+RW_FN Vec3 spawn_origin(const Surface& s, Vec3 d) {
+  const bool outward = dot(d, s.geometric_normal) > 0.0f;
+  const Vec3 n = outward ? s.geometric_normal : -s.geometric_normal;
+  const float distance = dot(magnitude(n), s.error);
+  const Vec3 p = fma(distance, n, s.position);
+  const auto away = [](float value, float direction) {
+    if (direction == 0.0f || value == 0.0f) return value;
+    return float_of(bits_of(value) + ((value > 0.0f) == (direction > 0.0f) ? 1u : 0xffffffffu));
+  };
+  return {away(p.x, n.x), away(p.y, n.y), away(p.z, n.z)};
+}
+
+}  // namespace raywalk

@@ -1,0 +1,232 @@
+// The CPU device: kernels and Embree behind one interface.
+#include <chrono>
+#include <fstream>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+
+#include "kernels/shade/surface.h"
+#include "server/device/camera.h"
+#include "server/device/cpu/cpu_kind.h"
+#include "server/device/cpu/tile_runner.h"
+
+namespace raywalk {
+namespace {
+
+class Stopwatch {
+ public:
+  double ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+/// Calls visit(x, y) for every pixel in the order in which rays are traced: tiles of blocks, Morton inside.
+template <class Visit>
+void in_block_order(u32 width, u32 height, Visit visit) {
+  for (u32 by = 0; by < height; by += kBlockSide)
+    for (u32 bx = 0; bx < width; bx += kBlockSide)
+      for (u32 i = 0; i < kBlockRays; ++i) {
+        const u32 x = bx + block_x(i), y = by + block_y(i);
+        if (x < width && y < height) visit(x, y);
+      }
+}
+
+class CpuDevice final : public Device {
+ public:
+  explicit CpuDevice(u32 threads) : runner_(threads), kinds_(kernel_kinds()) {
+    kinds_.push_back(embree_kind());
+    for (const CpuKind& kind : kinds_) infos_.push_back(kind.info);
+  }
+
+  std::string name() const override { return processor_name(); }
+  u32 threads() const override { return runner_.threads(); }
+  const std::vector<KindInfo>& kinds() const override { return infos_; }
+
+  std::shared_ptr<const Structure> build(std::shared_ptr<const Blob> scene, const std::string& kind,
+                                         const BuildOptions& options) override {
+    const CpuKind& found = kind_of(kind);
+    return runner_.inside([&] { return found.build(std::move(scene), found.kind, options); });
+  }
+
+  void render(const FrameJob& job, Frame& frame) override {
+    if (job.output != Output::color) return render_primary(job, frame);
+    const CpuStructure& structure = structure_of(job.structure);
+    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    const FrameArgs args = args_of(job);
+    shape(job, 3, frame);
+    Vec3* pixels = reinterpret_cast<Vec3*>(frame.pixels.data());
+    const Stopwatch watch;
+    runner_.over_tiles(job.width, job.height,
+                       [&](Tile tile) { row.frame(structure.scene(), structure.handle(), args, tile, pixels); });
+    frame.trace_ms = watch.ms();
+  }
+
+  void trace_primary(const FrameJob& job, PrimaryHits& result) override {
+    const CpuStructure& structure = structure_of(job.structure);
+    result.hits.resize(u64{job.width} * job.height);
+    if (const BareLoop* loop = loop_of(job.structure->kind(), job.traversal)) {
+      trace_bare(*loop, job, structure, result);
+      return;
+    }
+    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    prepare_rays(job);
+    hits_.resize(rays_.size());
+    const Stopwatch watch;
+    runner_.over_rays(rays_.size(), [&](u64 first, u64 last) {
+      row.closest(structure.scene(), structure.handle(), rays_.data() + first, last - first, hits_.data() + first);
+    });
+    result.trace_ms = watch.ms();
+    const Hit* next = hits_.data();
+    in_block_order(job.width, job.height, [&](u32 x, u32 y) { result.hits[u64{y} * job.width + x] = *next++; });
+  }
+
+  Counts count(const FrameJob& job) override {
+    const CpuStructure& structure = structure_of(job.structure);
+    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    const FrameArgs args = args_of(job);
+    Counts sum{};
+    std::mutex mutex;
+    runner_.over_tiles(job.width, job.height, [&](Tile tile) {
+      const Counts counts = row.count_frame(structure.scene(), structure.handle(), args, tile);
+      const std::scoped_lock lock(mutex);
+      sum.rays += counts.rays;
+      sum.steps += counts.steps;
+      sum.tests += counts.tests;
+    });
+    return sum;
+  }
+  bool can_count(const std::string& kind) const override { return kind_of(kind).counts_work; }
+
+  std::vector<Hit> closest(const RayJob& job) override {
+    const CpuStructure& structure = structure_of(job.structure);
+    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    std::vector<Hit> hits(job.rays.size());
+    runner_.over_rays(hits.size(), [&](u64 first, u64 last) {
+      row.closest(structure.scene(), structure.handle(), job.rays.data() + first, last - first, hits.data() + first);
+    });
+    return hits;
+  }
+  std::vector<u8> occluded(const RayJob& job) override {
+    const CpuStructure& structure = structure_of(job.structure);
+    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    std::vector<u8> flags(job.rays.size());
+    runner_.over_rays(flags.size(), [&](u64 first, u64 last) {
+      row.occluded(structure.scene(), structure.handle(), job.rays.data() + first, last - first, flags.data() + first);
+    });
+    return flags;
+  }
+
+ private:
+  const CpuKind& kind_of(const std::string& name) const {
+    for (const CpuKind& kind : kinds_)
+      if (kind.info.name == name) return kind;
+    throw std::invalid_argument("unknown structure kind " + name);
+  }
+  const CpuTraversal& traversal_of(const std::string& kind, const std::string& name) const {
+    for (const CpuTraversal& row : kind_of(kind).traversals)
+      if (row.name == name) return row;
+    throw std::invalid_argument(kind + " has no traversal " + name + " for this use");
+  }
+  const BareLoop* loop_of(const std::string& kind, const std::string& name) const {
+    for (const BareLoop& loop : kind_of(kind).loops)
+      if (loop.name == name) return &loop;
+    return nullptr;
+  }
+  static const CpuStructure& structure_of(const std::shared_ptr<const Structure>& structure) {
+    return dynamic_cast<const CpuStructure&>(*structure);
+  }
+  static FrameArgs args_of(const FrameJob& job) {
+    return {camera_of(job.camera, job.width, job.height), job.width, job.height, job.mode, job.depth};
+  }
+  static void shape(const FrameJob& job, u32 channels, Frame& frame) {
+    frame.width = job.width;
+    frame.height = job.height;
+    frame.channels = channels;
+    frame.pixels.resize(u64{job.width} * job.height * channels);
+    frame.readback_ms = 0;
+  }
+  void prepare_rays(const FrameJob& job) {
+    const Camera camera = camera_of(job.camera, job.width, job.height);
+    rays_.clear();
+    rays_.reserve(u64{job.width} * job.height);
+    in_block_order(job.width, job.height, [&](u32 x, u32 y) { rays_.push_back(primary_ray(camera, x, y)); });
+  }
+
+  void trace_bare(const BareLoop& loop, const FrameJob& job, const CpuStructure& structure, PrimaryHits& result) {
+    const FrameArgs args = args_of(job);
+    const Stopwatch watch;
+    runner_.over_tiles(job.width, job.height, [&](Tile tile) {
+      loop.trace(structure.handle(), args, tile,
+                 result.hits.data() + u64{tile.y0} * job.width + u64{tile.x0} * (tile.y1 - tile.y0));
+    });
+    result.trace_ms = watch.ms();
+  }
+
+  /// Outputs that follow from the primary hits alone.
+  void render_primary(const FrameJob& job, Frame& frame) {
+    const CpuStructure& structure = structure_of(job.structure);
+    if (job.output == Output::steps) return render_steps(job, structure, frame);
+    PrimaryHits primary;
+    trace_primary(job, primary);
+    frame.trace_ms = primary.trace_ms;
+    shape(job, job.output == Output::normal ? 3 : 1, frame);
+    const Camera camera = camera_of(job.camera, job.width, job.height);
+    for (u64 i = 0; i < primary.hits.size(); ++i) {
+      const Hit& hit = primary.hits[i];
+      if (job.output == Output::depth) {
+        frame.pixels[i] = hit.id == kMiss ? std::numeric_limits<float>::infinity() : hit.t;
+      } else if (job.output == Output::id) {
+        frame.pixels[i] = hit.id == kMiss ? -1.0f : static_cast<float>(hit.id);
+      } else {
+        const Vec3 d = primary_ray(camera, static_cast<u32>(i % job.width), static_cast<u32>(i / job.width)).d;
+        const Vec3 n = hit.id == kMiss ? Vec3{0, 0, 0} : surface_at<true>(structure.scene(), hit, d).normal;
+        frame.pixels[3 * i] = n.x;
+        frame.pixels[3 * i + 1] = n.y;
+        frame.pixels[3 * i + 2] = n.z;
+      }
+    }
+  }
+
+  void render_steps(const FrameJob& job, const CpuStructure& structure, Frame& frame) {
+    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    prepare_rays(job);
+    std::vector<Counts> counts(rays_.size());
+    const Stopwatch watch;
+    runner_.over_rays(rays_.size(), [&](u64 first, u64 last) {
+      row.count_rays(structure.scene(), structure.handle(), rays_.data() + first, last - first, counts.data() + first);
+    });
+    frame.trace_ms = watch.ms();
+    shape(job, 2, frame);
+    const Counts* next = counts.data();
+    in_block_order(job.width, job.height, [&](u32 x, u32 y) {
+      float* pixel = frame.pixels.data() + 2 * (u64{y} * job.width + x);
+      pixel[0] = static_cast<float>(next->steps);
+      pixel[1] = static_cast<float>(next->tests);
+      ++next;
+    });
+  }
+
+  TileRunner runner_;
+  std::vector<CpuKind> kinds_;
+  std::vector<KindInfo> infos_;
+  std::vector<Ray> rays_;  // reused from frame to frame
+  std::vector<Hit> hits_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> open_cpu_device(u32 threads) {
+  return std::make_unique<CpuDevice>(threads);
+}
+
+}  // namespace raywalk

@@ -1,0 +1,205 @@
+// Embree as a kind of structure: the fast CPU engine, and an independent reference.
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+
+#include "kernels/frame_cpu.h"
+#include "kernels/shade/direct_batch.h"
+#include "server/device/cpu/cpu_kind.h"
+#include "server/device/cpu/embree_tracer.h"
+
+namespace raywalk {
+namespace {
+
+using embree::kPacket;
+
+/// The process's one Embree device; it counts the memory that its scenes take.
+class EmbreeDevice {
+ public:
+  static EmbreeDevice& instance() {
+    static EmbreeDevice device;
+    return device;
+  }
+  RTCDevice handle() const { return device_; }
+  u64 bytes() const { return static_cast<u64>(bytes_.load()); }
+
+ private:
+  EmbreeDevice() : device_(rtcNewDevice(nullptr)) {
+    if (!device_) throw std::runtime_error("Embree: no device: error " + std::to_string(rtcGetDeviceError(nullptr)));
+    rtcSetDeviceMemoryMonitorFunction(
+        device_,
+        [](void* self, ssize_t bytes, bool) {
+          static_cast<EmbreeDevice*>(self)->bytes_ += bytes;
+          return true;
+        },
+        this);
+  }
+  ~EmbreeDevice() { rtcReleaseDevice(device_); }
+  std::atomic<long long> bytes_{0};
+  RTCDevice device_;
+};
+
+class EmbreeStructure final : public CpuStructure {
+ public:
+  EmbreeStructure(std::shared_ptr<const Blob> scene, std::vector<u32> indices, RTCScene handle, BuildStats stats)
+      : CpuStructure(std::move(scene), "embree", stats), indices_(std::move(indices)), handle_(handle) {}
+  ~EmbreeStructure() override { rtcReleaseScene(handle_); }
+  const void* handle() const override { return handle_; }
+
+ private:
+  std::vector<u32> indices_;  // shared with Embree
+  RTCScene handle_;
+};
+
+RTCScene scene_of(const void* structure) {
+  return static_cast<RTCScene>(const_cast<void*>(structure));
+}
+
+std::shared_ptr<const CpuStructure> build(std::shared_ptr<const Blob> scene, const Kind*, const BuildOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  EmbreeDevice& device = EmbreeDevice::instance();
+  const u64 bytes_before = device.bytes();
+  const SceneView view{scene->data()};
+  const u32 count = view.triangle_count();
+  std::vector<u32> indices(u64{count} * 3);
+  for (u64 i = 0; i < indices.size(); ++i) indices[i] = static_cast<u32>(i);
+
+  const auto option = [&](const char* name, double fallback) {
+    const auto found = options.find(name);
+    return found == options.end() ? fallback : found->second;
+  };
+  RTCScene handle = rtcNewScene(device.handle());
+  rtcSetSceneFlags(handle, option("robust", 0) != 0 ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+  rtcSetSceneBuildQuality(handle, option("quality", 0) != 0 ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
+  if (count > 0) {
+    RTCGeometry geometry = rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    // Corners are three vertices of 16 bytes each, so the scene's own bytes serve as the vertex buffer.
+    static_assert(sizeof(Corners) == 48);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, view.corners(), 0, 16,
+                               indices.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0, 12, count);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(handle, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcJoinCommitScene(handle);
+  const RTCError error = rtcGetDeviceError(device.handle());
+  if (error != RTC_ERROR_NONE) {
+    rtcReleaseScene(handle);
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw std::runtime_error("Embree: the scene was not built: error " + std::to_string(error));
+  }
+  BuildStats stats;
+  stats.references = count;
+  stats.size_bytes = device.bytes() - bytes_before + indices.size() * sizeof(u32);
+  stats.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::make_shared<EmbreeStructure>(std::move(scene), std::move(indices), handle, stats);
+}
+
+void closest(SceneView, const void* structure, const Ray* rays, u64 count, Hit* hits) {
+  closest_hits(embree::Tracer<embree::NoRayCount>{scene_of(structure)}, rays, count, hits);
+}
+
+void occluded(SceneView, const void* structure, const Ray* rays, u64 count, u8* out) {
+  any_hits(embree::Tracer<embree::NoRayCount>{scene_of(structure)}, rays, count, out);
+}
+
+/// Mode::primary: a block is traced, the triangles that it met are asked for, and then it is shaded packet by packet.
+void primary_frame(SceneView scene, RTCScene handle, const FrameArgs& args, Tile tile, Vec3* pixels) {
+  const Vec3 background = scene.header().background;
+  embree::trace_primary(handle, args, tile, [&](const embree::PrimaryBlock& block) {
+    for (const RTCRayHit8& packet : block.packets) {
+      for (u32 i = 0; i < kPacket; ++i) {
+        if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+        __builtin_prefetch(scene.corners() + packet.hit.primID[i]);
+        __builtin_prefetch(scene.triangles() + packet.hit.primID[i]);
+      }
+    }
+    for (u32 p = 0; p < kBlockRays / kPacket; ++p) {
+      const RTCRayHit8& packet = block.packets[p];
+      const auto pixel = [&](u32 i) -> Vec3& {
+        const u32 lane = p * kPacket + i;
+        return pixels[u64{block.by + block_y(lane)} * args.width + block.bx + block_x(lane)];
+      };
+      Vec3Batch colors;
+      const bool any = embree::shade(scene, packet, colors);
+      for (u32 i = 0; i < kPacket; ++i) {
+        if (!block.valid[p][i]) continue;
+        const bool hit = any && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+        pixel(i) = hit ? colors.get(i) : background;
+      }
+    }
+  });
+}
+
+void frame(SceneView scene, const void* structure, const FrameArgs& args, Tile tile, Vec3* pixels) {
+  if (args.mode == Mode::primary) return primary_frame(scene, scene_of(structure), args, tile, pixels);
+  embree::Tracer<embree::NoRayCount> tracer{scene_of(structure)};
+  shade_tile(tracer, scene, args, tile, [&](u32 x, u32 y, Vec3 color) { pixels[u64{y} * args.width + x] = color; });
+}
+
+Counts count_frame(SceneView scene, const void* structure, const FrameArgs& args, Tile tile) {
+  embree::Tracer<embree::RayCount> tracer{scene_of(structure)};
+  shade_tile(tracer, scene, args, tile, [](u32, u32, Vec3) {});
+  return {tracer.count.rays, 0, 0};
+}
+
+void count_rays(SceneView, const void*, const Ray*, u64 count, Counts* counts) {
+  for (u64 i = 0; i < count; ++i) counts[i] = {1, 0, 0};
+}
+
+void loop_1(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) {
+  for (u32 y = tile.y0; y < tile.y1; ++y) {
+    for (u32 x = tile.x0; x < tile.x1; ++x) {
+      const Ray r = primary_ray(args.camera, x, y);
+      RTCRayHit one;
+      one.ray = {r.o.x, r.o.y, r.o.z, r.tmin, r.d.x, r.d.y, r.d.z, 0.0f, r.tmax, 0xffffffffu, 0, 0};
+      one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      embree::intersect1(scene_of(structure), &one);
+      *hits++ = {one.ray.tfar, one.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kMiss : one.hit.primID, one.hit.u,
+                 one.hit.v};
+    }
+  }
+}
+
+/// As anyone would write it: rays one by one into a packet, one coherent call, hits out.
+void loop_8(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) {
+  for (u32 by = tile.y0; by < tile.y1; by += kBlockSide) {
+    for (u32 bx = tile.x0; bx < tile.x1; bx += kBlockSide) {
+      for (u32 first = 0; first < kBlockRays; first += kPacket) {
+        alignas(32) RTCRayHit8 packet;
+        alignas(32) int valid[kPacket];
+        for (u32 i = 0; i < kPacket; ++i) {
+          const u32 x = bx + block_x(first + i), y = by + block_y(first + i);
+          valid[i] = x < tile.x1 && y < tile.y1 ? -1 : 0;
+          embree::set_lane(packet.ray, i, primary_ray(args.camera, x, y));
+          packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        }
+        embree::intersect8(valid, scene_of(structure), embree::Coherence::coherent, &packet);
+        for (u32 i = 0; i < kPacket; ++i)
+          if (valid[i]) *hits++ = embree::hit_of(packet, i);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+CpuKind embree_kind() {
+  const CpuTraversal intersect{"embree",    "intersect", "Embree, coherent packets of eight", closest, occluded, frame,
+                               count_frame, count_rays};
+  CpuKind kind{{"embree", "Intel Embree's own BVH", {}, {}}, build, nullptr, {intersect}};
+  kind.loops = {{"loop-1", "bare loop over rtcIntersect1, ray generation included", loop_1},
+                {"loop-8", "bare loop over coherent rtcIntersect8, ray generation included", loop_8}};
+  kind.counts_work = false;
+  kind.info.options = {
+      {"robust", "watertight at the cost of speed", 0, 0, 0, true, {"off", "on"}},
+      {"quality", "build quality", 0, 0, 0, true, {"medium", "high"}},
+  };
+  kind.info.traversals = {{"intersect", std::string(intersect.help)}};
+  for (const BareLoop& loop : kind.loops)
+    kind.info.traversals.push_back({std::string(loop.name), std::string(loop.help), true});
+  return kind;
+}
+
+}  // namespace raywalk
