@@ -67,7 +67,8 @@ float radius_at(Vec3 d) {
   const float tips = smooth_step(0.72f, 1.0f, scale);
   const float ridges = 1.0f - magnitude(noise(7.0f * p + Vec3{2.0f, 9.0f, 5.0f}));
   const float grain = fractal_noise(26.0f * p, 3);
-  return r * (0.93f + strength * (0.13f * scale + 0.03f * tips)) + 0.014f * ridges * (1.0f - 0.5f * tips) + 0.0035f * grain;
+  return r * (0.93f + strength * (0.13f * scale + 0.03f * tips)) + 0.014f * ridges * (1.0f - 0.5f * tips) +
+         0.0035f * grain;
 }
 
 }  // namespace
