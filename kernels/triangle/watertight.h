@@ -11,10 +11,10 @@ namespace raywalk {
 struct WatertightRay {
   u32 kx, ky, kz;
   float sx, sy, sz;
-  Vec3 o;
+  float ox, oy, oz;  // the origin's components kx, ky, kz
 
   WatertightRay() = default;
-  RW_FN explicit WatertightRay(const Ray& ray) : o(ray.o) {
+  RW_FN explicit WatertightRay(const Ray& ray) {
     const Vec3 m = magnitude(ray.d);
     kz = m.x > m.y ? (m.x > m.z ? 0u : 2u) : (m.y > m.z ? 1u : 2u);
     kx = kz == 2u ? 0u : kz + 1u;
@@ -28,16 +28,21 @@ struct WatertightRay {
     sx = divide(ray.d[kx], dz);
     sy = divide(ray.d[ky], dz);
     sz = divide(1.0f, dz);
+    ox = ray.o[kx];
+    oy = ray.o[ky];
+    oz = ray.o[kz];
   }
 };
 
 /// Writes t, u, v and returns true when the line of the ray meets the triangle, edges and vertices included.
 /// The caller compares t with the interval. Degenerate and non-finite triangles are never met.
 RW_FN bool intersect(const WatertightRay& ray, const Corners& triangle, float& t, float& u, float& v) {
-  const Vec3 a = triangle.a - ray.o, b = triangle.b - ray.o, c = triangle.c - ray.o;
-  const float ax = fma(-ray.sx, a[ray.kz], a[ray.kx]), ay = fma(-ray.sy, a[ray.kz], a[ray.ky]);
-  const float bx = fma(-ray.sx, b[ray.kz], b[ray.kx]), by = fma(-ray.sy, b[ray.kz], b[ray.ky]);
-  const float cx = fma(-ray.sx, c[ray.kz], c[ray.kx]), cy = fma(-ray.sy, c[ray.kz], c[ray.ky]);
+  // Components are read by address: cheaper than selecting among values.
+  const float *a = &triangle.a.x, *b = &triangle.b.x, *c = &triangle.c.x;
+  const float az = a[ray.kz] - ray.oz, bz = b[ray.kz] - ray.oz, cz = c[ray.kz] - ray.oz;
+  const float ax = fma(-ray.sx, az, a[ray.kx] - ray.ox), ay = fma(-ray.sy, az, a[ray.ky] - ray.oy);
+  const float bx = fma(-ray.sx, bz, b[ray.kx] - ray.ox), by = fma(-ray.sy, bz, b[ray.ky] - ray.oy);
+  const float cx = fma(-ray.sx, cz, c[ray.kx] - ray.ox), cy = fma(-ray.sy, cz, c[ray.ky] - ray.oy);
   const float wa = difference_of_products(cx, by, cy, bx);
   const float wb = difference_of_products(ax, cy, ay, cx);
   const float wc = difference_of_products(bx, ay, by, ax);
@@ -45,7 +50,7 @@ RW_FN bool intersect(const WatertightRay& ray, const Corners& triangle, float& t
   const float det = wa + wb + wc;
   if (!(magnitude(det) > 0.0f)) return false;  // also drops NaN
   const float inverse = divide(1.0f, det);
-  const float z = fma(wa, a[ray.kz], fma(wb, b[ray.kz], wc * c[ray.kz]));
+  const float z = fma(wa, az, fma(wb, bz, wc * cz));
   t = z * ray.sz * inverse;
   u = wb * inverse;
   v = wc * inverse;

@@ -1,0 +1,132 @@
+// A packet of rays walks the tree together: one shared stack of node indices, children chosen by vote, the order of
+// both children by majority. Guenther, Popov, Seidel and Slusallek, "Realtime Ray Tracing on GPU with BVH-based Packet
+// Traversal", RT 2007, with the study's change: a ray that needs neither child has no say in the order.
+#pragma once
+#include "kernels/accel/bvh/layout.h"
+#include "kernels/accel/slab.h"
+#include "kernels/lanes.h"
+#include "kernels/query.h"
+
+namespace raywalk::bvh::packet {
+
+/// The slab constants of a thread's lanes, as arrays. Low and high planes instead of near and far ones, so that lanes
+/// of different signs run through the same instructions: near = smaller(low, high).
+template <u32 N>
+struct Slabs {
+  float inverse[3][N], low[3][N], high[3][N];
+  float tmin[N], tmax[N];  // tmax below tmin: the lane has finished
+
+  RW_FN void set(u32 lane, const Ray& ray, const Header& header) {
+    const SlabRay s = slab_ray(ray, header.centre, header.half_extent);
+    for (u32 axis = 0; axis < 3; ++axis) {
+      const bool ascending = bits_of(s.inverse[axis]) >> 31 == 0;
+      inverse[axis][lane] = s.inverse[axis];
+      low[axis][lane] = ascending ? s.near[axis] : s.far[axis];
+      high[axis][lane] = ascending ? s.far[axis] : s.near[axis];
+    }
+  }
+};
+
+/// What a lane wants of a node: vote = left + 2 * right; preference -1 for left first, +1 for right first, 0 for
+/// neither.
+template <u32 N>
+RW_FN void choose(const Slabs<N>& s, const Node& node, u32* votes, i32* preferences) {
+  for (u32 i = 0; i < N; ++i) {
+    float entry[2], exit[2];
+    for (u32 side = 0; side < 2; ++side) {
+      entry[side] = s.tmin[i];
+      exit[side] = s.tmax[i];
+      for (u32 axis = 0; axis < 3; ++axis) {
+        const float a = fma(node.planes[axis][side], s.inverse[axis][i], s.low[axis][i]);
+        const float b = fma(node.planes[axis][side + 2], s.inverse[axis][i], s.high[axis][i]);
+        entry[side] = larger(smaller(a, b), entry[side]);
+        exit[side] = smaller(larger(a, b), exit[side]);
+      }
+    }
+    const u32 left = entry[0] <= exit[0] ? 1u : 0u, right = entry[1] <= exit[1] ? 1u : 0u;
+    const i32 nearer = (entry[1] < entry[0] ? 1 : 0) - (entry[0] < entry[1] ? 1 : 0);
+    const i32 alone = static_cast<i32>(right) - static_cast<i32>(left);
+    votes[i] = left + 2 * right;
+    preferences[i] = left & right ? nearer : alone;
+  }
+}
+
+/// Arrays of LanesT::kLocal; lanes that are not active are neither read nor written and count nothing. `blob` is a BVH
+/// of the scene's triangles. Active rays are valid.
+template <class LanesT, class Query, class Counter>
+RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray* rays, const bool* active, Query* queries,
+                    Counter* counters) {
+  constexpr u32 kLocal = LanesT::kLocal;
+  constexpr u32 kAnyLeft = 1u << 1 | 1u << 3, kAnyRight = 1u << 2 | 1u << 3;  // of votes 0 to 3
+  const Header& header = header_of<Header>(blob);
+  if (header.triangles.count == 0) return;
+  const Node* nodes = data_of(blob, header.nodes);
+  const Corners* triangles = data_of(blob, header.triangles);
+
+  Slabs<kLocal> slabs = {};
+  bool going[kLocal];
+  for (u32 i = 0; i < kLocal; ++i) {
+    going[i] = active[i];
+    slabs.tmin[i] = 0.0f;
+    slabs.tmax[i] = -1.0f;
+    if (!active[i]) continue;
+    slabs.set(i, rays[i], header);
+    slabs.tmin[i] = queries[i].tmin;
+    slabs.tmax[i] = queries[i].tmax();
+  }
+  if (!LanesT::any(going)) return;
+
+  RW_SHARED Child stack[kMaxDepth];
+  u32 waiting = 0;  // the same in all lanes
+  Child at = header.root;
+  for (;;) {
+    bool descends = false;
+    if (is_leaf(at)) {
+      const u32 first = leaf_first(at), end = first + leaf_count(at);
+      for (u32 t = first; t < end; ++t) {
+        for (u32 i = 0; i < kLocal; ++i) {
+          if (!going[i]) continue;
+          counters[i].test();
+          if (queries[i].test(triangles[t])) {
+            going[i] = false;
+            slabs.tmax[i] = -1.0f;
+            slabs.tmin[i] = 0.0f;
+          }
+        }
+      }
+      if constexpr (Query::kAny) {
+        if (!LanesT::any(going)) return;
+      } else {
+        for (u32 i = 0; i < kLocal; ++i) {
+          if (going[i]) slabs.tmax[i] = queries[i].tmax();
+        }
+      }
+    } else {
+      const Node& node = nodes[at];
+      u32 votes[kLocal];
+      i32 preferences[kLocal];
+      choose(slabs, node, votes, preferences);
+      for (u32 i = 0; i < kLocal; ++i) {
+        if (going[i]) counters[i].step();
+      }
+      const u32 cast = LanesT::vote(votes);
+      const bool left = cast & kAnyLeft, right = cast & kAnyRight;
+      descends = left || right;
+      if (left && right) {
+        const u32 nearer = LanesT::sum(preferences) > 0 ? 1u : 0u;
+        if (LanesT::leads()) stack[waiting] = node.child[nearer ^ 1u];
+        ++waiting;
+        at = node.child[nearer];
+      } else if (descends) {
+        at = node.child[right ? 1 : 0];
+      }
+    }
+    if (descends) continue;
+    if (waiting == 0) return;
+    LanesT::barrier();  // an entry may have been written since the last collective
+    at = stack[--waiting];
+    LanesT::barrier();  // before the place is written again
+  }
+}
+
+}  // namespace raywalk::bvh::packet

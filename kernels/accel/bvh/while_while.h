@@ -1,0 +1,62 @@
+// One ray a thread: inner nodes until a leaf is reached, near child first, then the leaf's triangles.
+// Aila and Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009.
+#pragma once
+#include "kernels/accel/bvh/pair.h"
+#include "kernels/query.h"
+
+namespace raywalk::bvh::while_while {
+
+struct Waiting {
+  Child child;
+  float entry;
+};
+
+/// `blob` is a BVH of the scene's triangles. The ray is valid.
+template <class Query, class Counter>
+RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray& ray, Query& query, Counter& counter) {
+  const Header& header = header_of<Header>(blob);
+  if (header.triangles.count == 0) return;
+  const Node* nodes = data_of(blob, header.nodes);
+  const Corners* triangles = data_of(blob, header.triangles);
+  const PairSlabs slabs(ray, header);
+  Float4 limits = limits_of(query.tmin, query.tmax());
+  Waiting stack[kMaxDepth];
+  u32 waiting = 0;
+  Child at = header.root;
+  for (;;) {
+    bool missed = false;
+    while (!is_leaf(at)) {
+      counter.step();
+      const Node& node = nodes[at];
+      const Float4 t = distances(slabs, node, limits);
+      const u32 entered = ordered_pairs(t);
+      if (entered == 3) {
+        // Near first pays for any hit as well: an occluder is met sooner.
+        const u32 nearer = t[0] <= t[1] ? 0u : 1u;
+        stack[waiting++] = {node.child[nearer ^ 1u], nearer ? t[0] : t[1]};
+        at = node.child[nearer];
+      } else if (entered != 0) {
+        at = node.child[entered >> 1];
+      } else {
+        missed = true;
+        break;
+      }
+    }
+    if (!missed) {
+      const u32 first = leaf_first(at), end = first + leaf_count(at);
+      for (u32 i = first; i < end; ++i) {
+        counter.test();
+        if (query.test(triangles[i])) return;
+      }
+      if constexpr (!Query::kAny) limits = limits_of(query.tmin, query.tmax());
+    }
+    // A subtree at exactly the best distance may still hold a lower id.
+    do {
+      if (waiting == 0) return;
+      --waiting;
+    } while (stack[waiting].entry > query.tmax());
+    at = stack[waiting].child;
+  }
+}
+
+}  // namespace raywalk::bvh::while_while
