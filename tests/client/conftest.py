@@ -7,7 +7,6 @@ from typing import Any
 
 import httpx2
 import pytest
-
 from raywalk.client import Client
 from raywalk.models import BenchmarkResult
 

@@ -11,7 +11,6 @@ import yaml
 from jsonschema import Draft202012Validator
 from jsonschema.exceptions import ValidationError as SchemaError
 from pydantic import TypeAdapter, ValidationError
-
 from raywalk import models
 from raywalk.client import Client
 

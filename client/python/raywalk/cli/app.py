@@ -13,6 +13,7 @@ from raywalk.cli.session import CleanGroup, Settings
 app = typer.Typer(
     cls=CleanGroup,
     no_args_is_help=True,
+    add_completion=False,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
     help="Ray-tracing structures on one device, measured and checked. Without --server a local daemon is started, "

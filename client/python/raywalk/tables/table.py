@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from rich import box
+from rich.markup import escape
 from rich.table import Table as RichTable
 
 Cell = str | int | float | None
@@ -72,9 +73,9 @@ def csv_text(table: Table) -> str:
 
 
 def terminal(table: Table) -> RichTable:
-    caption = "\n".join([f"[not bold]{table.machine}[/]", *(f"• {note}" for note in table.notes)])
+    caption = "\n".join(f"• {escape(note)}" for note in table.notes)
     shown = RichTable(
-        title=f"[bold]{table.title}[/]",
+        title=f"[not italic][bold]{escape(table.title)}[/]\n[dim]{escape(table.machine)}[/][/]",
         caption=caption,
         caption_justify="left",
         title_justify="left",

@@ -1,0 +1,45 @@
+"""The contact sheet and its heat maps."""
+
+import numpy as np
+import pytest
+from PIL import Image
+from raywalk.contact import DIFFERENCE_FULL, Panel, contact_sheet, difference_row, steps_row
+from raywalk.heat import STOPS, heat
+
+
+@pytest.fixture
+def panels() -> list[Panel]:
+    image = np.full((32, 48, 3), 100, np.uint8)
+    other = image.copy()
+    other[3, 4] = 105
+    steps = np.tile(np.arange(48, dtype=np.float32), (32, 1))
+    return [Panel("bvh/packet", "1 ms", other, steps), Panel("embree/intersect", "2 ms", image, None)]
+
+
+def test_heat_runs_from_dark_to_light() -> None:
+    colours = heat(np.array([[0, 0.5, 1, 9]]), 1)
+    assert colours[0, 0].tolist() == STOPS[0].tolist()
+    assert colours[0, 2].tolist() == colours[0, 3].tolist() == STOPS[-1].tolist()
+    lightness = heat(np.linspace(0, 1, 50)[None], 1).sum(axis=2)[0]
+    assert (np.diff(lightness.astype(int)) >= 0).all()
+
+
+def test_sheet_has_a_column_for_each_technique(panels) -> None:
+    walk = [Image.new("RGB", (48, 32), (10, 200, 10))] * 4
+    sheet = contact_sheet("title", "machine", panels, "embree/intersect", walk, tile=120)
+    assert sheet.width == 2 * 28 + 2 * 120 + 12
+    assert (10, 200, 10) in {colour for _, colour in sheet.getcolors(1 << 24)}
+
+
+def test_difference_is_counted(panels) -> None:
+    (tile, _, caption), (_, name, _) = difference_row(panels, "embree/intersect")
+    assert caption == "1 pixels differ, by 5/255 at most"
+    assert name == "reference"
+    expected = heat(np.array([[5 / 255]]), DIFFERENCE_FULL)[0, 0]
+    assert np.asarray(tile)[3, 4].tolist() == expected.tolist()
+
+
+def test_steps_say_when_they_are_missing(panels) -> None:
+    (_, _, counted), (_, _, missing) = steps_row(panels)
+    assert counted.startswith("mean 23.5 a primary ray")
+    assert missing == "this technique cannot count"

@@ -1,0 +1,99 @@
+"""A daemon of one's own, played by small scripts."""
+
+import os
+import signal
+import stat
+import subprocess
+import sys
+import textwrap
+import time
+from pathlib import Path
+
+import pytest
+from raywalk.daemon import LocalDaemon
+from raywalk.errors import RaywalkError
+from raywalk.places import daemon_program
+
+SERVER = """
+import http.server, os, sys
+class Handler(http.server.BaseHTTPRequestHandler):
+    def do_GET(self):
+        self.send_response(200); self.end_headers(); self.wfile.write(b"ok")
+    def log_message(self, *_): pass
+server = http.server.HTTPServer(("127.0.0.1", 0), Handler)
+flags = dict(zip(sys.argv[1::2], sys.argv[2::2]))
+assert flags["--port"] == "0" and flags["--state"]
+if "PID_FILE" in os.environ: open(os.environ["PID_FILE"], "w").write(str(os.getpid()))
+open(flags["--port-file"], "w").write(str(server.server_address[1]))
+server.serve_forever()
+"""
+
+
+def script(folder: Path, body: str) -> Path:
+    path = folder / "raywalkd"
+    path.write_text(f"#!{sys.executable}\n" + textwrap.dedent(body))
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return path
+
+
+def is_alive(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def test_starts_and_stops(tmp_path) -> None:
+    with LocalDaemon(script(tmp_path, SERVER)) as daemon:
+        assert daemon.base_url.startswith("http://127.0.0.1:")
+        pid = daemon._process.pid
+        assert is_alive(pid)
+    assert not is_alive(pid)
+
+
+def test_stops_after_an_exception(tmp_path) -> None:
+    with pytest.raises(ZeroDivisionError), LocalDaemon(script(tmp_path, SERVER)) as daemon:
+        pid = daemon._process.pid
+        raise ZeroDivisionError
+    assert not is_alive(pid)
+
+
+def test_says_why_it_did_not_start(tmp_path) -> None:
+    failing = script(tmp_path, 'import sys; sys.exit("raywalkd: the port 80 is in use")')
+    with pytest.raises(RaywalkError, match="(?s)ended at its start with code 1.*the port 80 is in use"):
+        LocalDaemon(failing).__enter__()
+
+
+def test_a_program_that_cannot_be_started(tmp_path) -> None:
+    (tmp_path / "raywalkd").write_bytes(b"\x7fELF nonsense")
+    (tmp_path / "raywalkd").chmod(0o755)
+    with pytest.raises(RaywalkError, match="could not be started"):
+        LocalDaemon(tmp_path / "raywalkd").__enter__()
+
+
+def test_finds_the_program(tmp_path, monkeypatch) -> None:
+    program = script(tmp_path, SERVER)
+    monkeypatch.setenv("RAYWALKD", str(program))
+    assert daemon_program() == program
+    monkeypatch.setenv("RAYWALKD", str(tmp_path / "none"))
+    with pytest.raises(RaywalkError, match="raywalkd was not found"):
+        daemon_program()
+
+
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_stops_both(tmp_path, stop) -> None:
+    pid_file = tmp_path / "pid"
+    environment = os.environ | {"PID_FILE": str(pid_file)}
+    code = "import signal, sys, time, raywalk, pathlib\n"
+    code += "signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))\n"
+    code += f"with raywalk.LocalDaemon(pathlib.Path({str(script(tmp_path, SERVER))!r})): time.sleep(60)"
+    parent = subprocess.Popen([sys.executable, "-c", code], env=environment, stderr=subprocess.DEVNULL)
+    deadline = time.monotonic() + 20
+    while not pid_file.is_file() or not pid_file.read_text():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    time.sleep(0.3)
+    parent.send_signal(stop)
+    parent.wait(20)
+    assert not is_alive(int(pid_file.read_text()))
