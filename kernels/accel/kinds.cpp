@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "kernels/accel/brute/kind.h"
-#include "kernels/accel/bvh/kind.h"
+#include "kernels/accel/bvh/build.h"
 #include "kernels/accel/grid/kind.h"
 #include "kernels/accel/kdtree/kind.h"
 #include "kernels/accel/kind.h"

@@ -97,8 +97,9 @@ RW_FN bool enter(const PaddedFrame& frame, const Ray& ray, LocalRay& local) {
   const Vec3 in = (-side - origin) * local.inverse;
   const Vec3 out = (side - origin) * local.inverse;
 
-  // The second term covers a t that is denormal because the direction is huge.
-  const float slack = fma(kDistanceSlack, distance, 0x1p-148f * local.scale);
+  // A huge direction makes t denormal, with an error of 2^-149. The product is taken in two normal steps.
+  const float coarse = local.scale > 0x1p64f ? local.scale * 0x1p-64f * 0x1p-84f : 0.0f;
+  const float slack = fma(kDistanceSlack, distance, coarse);
   const float start = larger(larger(in.x, larger(in.y, in.z)), fma(ray.tmin, local.scale, -slack));
   const float end = smaller(smaller(out.x, smaller(out.y, out.z)), fma(ray.tmax, local.scale, slack));
   local.o = fma(start, local.d, origin);

@@ -35,11 +35,10 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
   for (u32 i = 0; i < kLocal; ++i) {
     alive[i] = active[i];
     waiting[i] = 0;
-    if (!active[i]) continue;
     rays[i] = primary_ray(args.camera, x[i], y[i]);
     weight[i] = {1, 1, 1};
     bounces_left[i] = args.mode == Mode::whitted ? args.depth : 0u;
-    color[i] = {0, 0, 0};
+    if (active[i]) color[i] = {0, 0, 0};
   }
 
   if (args.mode == Mode::primary) {

@@ -31,23 +31,28 @@ struct Slabs {
 /// neither.
 template <u32 N>
 RW_FN void choose(const Slabs<N>& s, const Node& node, u32* votes, i32* preferences) {
-  for (u32 i = 0; i < N; ++i) {
-    float entry[2], exit[2];
-    for (u32 side = 0; side < 2; ++side) {
-      entry[side] = s.tmin[i];
-      exit[side] = s.tmax[i];
-      for (u32 axis = 0; axis < 3; ++axis) {
-        const float a = fma(node.planes[axis][side], s.inverse[axis][i], s.low[axis][i]);
-        const float b = fma(node.planes[axis][side + 2], s.inverse[axis][i], s.high[axis][i]);
-        entry[side] = larger(smaller(a, b), entry[side]);
-        exit[side] = smaller(larger(a, b), exit[side]);
+  float entry[2][N], exit[2][N];
+  for (u32 side = 0; side < 2; ++side) {
+    for (u32 i = 0; i < N; ++i) {
+      entry[side][i] = s.tmin[i];
+      exit[side][i] = s.tmax[i];
+    }
+    for (u32 axis = 0; axis < 3; ++axis) {
+      const float lo = node.planes[axis][side], hi = node.planes[axis][side + 2];
+      for (u32 i = 0; i < N; ++i) {
+        const float a = fma(lo, s.inverse[axis][i], s.low[axis][i]);
+        const float b = fma(hi, s.inverse[axis][i], s.high[axis][i]);
+        entry[side][i] = larger(smaller(a, b), entry[side][i]);
+        exit[side][i] = smaller(larger(a, b), exit[side][i]);
       }
     }
-    const u32 left = entry[0] <= exit[0] ? 1u : 0u, right = entry[1] <= exit[1] ? 1u : 0u;
-    const i32 nearer = (entry[1] < entry[0] ? 1 : 0) - (entry[0] < entry[1] ? 1 : 0);
+  }
+  for (u32 i = 0; i < N; ++i) {
+    const u32 left = entry[0][i] <= exit[0][i] ? 1u : 0u, right = entry[1][i] <= exit[1][i] ? 1u : 0u;
+    const i32 nearer = (entry[1][i] < entry[0][i] ? 1 : 0) - (entry[0][i] < entry[1][i] ? 1 : 0);
     const i32 alone = static_cast<i32>(right) - static_cast<i32>(left);
     votes[i] = left + 2 * right;
-    preferences[i] = left & right ? nearer : alone;
+    preferences[i] = (left & right) != 0 ? nearer : alone;
   }
 }
 

@@ -17,15 +17,19 @@ constexpr size_t kGrain = 1u << 14;
 /// depend on the grouping.
 template <class Value, class Add, class Join>
 Value reduce(std::span<const Reference> range, const Value& zero, const Add& add, const Join& join) {
-  const auto sequential = [&](std::span<const Reference> part, Value value) {
+  const auto fold = [&](Value& value, std::span<const Reference> part) {
     for (const Reference& r : part) add(value, r);
-    return value;
   };
-  if (range.size() < kParallelCount) return sequential(range, zero);
+  if (range.size() < kParallelCount) {
+    Value value = zero;
+    fold(value, range);
+    return value;
+  }
   return tbb::parallel_reduce(
       tbb::blocked_range<size_t>(0, range.size(), kGrain), zero,
       [&](const tbb::blocked_range<size_t>& part, Value value) {
-        return sequential(range.subspan(part.begin(), part.size()), std::move(value));
+        fold(value, range.subspan(part.begin(), part.size()));
+        return value;
       },
       [&](Value a, const Value& b) {
         join(a, b);
@@ -69,8 +73,11 @@ struct Binning {
   }
 };
 
+/// Room for `kCapacity` bins an axis: most ranges are small, and clearing bins that they do not use would take longer
+/// than filling those they do.
+template <u32 kCapacity>
 struct Bins {
-  Bin bin[3][kMaxBins];
+  Bin bin[3][kCapacity];
 };
 
 struct Plane {
@@ -98,14 +105,12 @@ void sweep(const Bin* bin, u32 bins, u32 axis, Plane& best) {
   }
 }
 
+template <u32 kCapacity>
 Plane cheapest_plane(std::span<const Reference> range, const Binning& binning) {
-  const auto zero = [&] {
-    Bins bins;
-    return bins;
-  };
-  const Bins bins = reduce(
-      range, zero(),
-      [&](Bins& to, const Reference& r) {
+  using Storage = Bins<kCapacity>;
+  const Storage bins = reduce(
+      range, Storage{},
+      [&](Storage& to, const Reference& r) {
         const Vec3 c = r.centroid();
         for (u32 axis = 0; axis < 3; ++axis) {
           if (!binning.uses(axis)) continue;
@@ -114,7 +119,7 @@ Plane cheapest_plane(std::span<const Reference> range, const Binning& binning) {
           ++bin.count;
         }
       },
-      [&](Bins& to, const Bins& from) {
+      [&](Storage& to, const Storage& from) {
         for (u32 axis = 0; axis < 3; ++axis) {
           for (u32 i = 0; i < binning.bins; ++i) to.bin[axis][i].add(from.bin[axis][i]);
         }
@@ -141,7 +146,9 @@ Division divide_by_sah(std::span<Reference> range, const Box& box, const Config&
   const u32 count = static_cast<u32>(range.size());
   // Few triangles do not fill many bins.
   const Binning binning(centroid_bounds(range), std::min(config.bins, std::max(4u, 2 * count)));
-  const Plane plane = cheapest_plane(range, binning);
+  const Plane plane = binning.bins <= 8    ? cheapest_plane<8>(range, binning)
+                      : binning.bins <= 32 ? cheapest_plane<32>(range, binning)
+                                           : cheapest_plane<kMaxBins>(range, binning);
   if (count <= config.max_leaf) {
     const float area = box.area();
     const float as_leaf = config.intersection_cost * static_cast<float>(count) * area;

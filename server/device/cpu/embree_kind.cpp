@@ -11,8 +11,6 @@
 namespace raywalk {
 namespace {
 
-using embree::kPacket;
-
 /// The process's one Embree device; it counts the memory that its scenes take.
 class EmbreeDevice {
  public:
@@ -96,50 +94,58 @@ std::shared_ptr<const CpuStructure> build(std::shared_ptr<const Blob> scene, con
   return std::make_shared<EmbreeStructure>(std::move(scene), std::move(indices), handle, stats);
 }
 
+template <u32 N>
 void closest(SceneView, const void* structure, const Ray* rays, u64 count, Hit* hits) {
-  closest_hits(embree::Tracer<embree::NoRayCount>{scene_of(structure)}, rays, count, hits);
+  closest_hits(embree::Tracer<N, embree::NoRayCount>{scene_of(structure)}, rays, count, hits);
 }
 
+template <u32 N>
 void occluded(SceneView, const void* structure, const Ray* rays, u64 count, u8* out) {
-  any_hits(embree::Tracer<embree::NoRayCount>{scene_of(structure)}, rays, count, out);
+  any_hits(embree::Tracer<N, embree::NoRayCount>{scene_of(structure)}, rays, count, out);
 }
 
-/// Mode::primary: a block is traced, the triangles that it met are asked for, and then it is shaded packet by packet.
-void primary_frame(SceneView scene, RTCScene handle, const FrameArgs& args, Tile tile, Vec3* pixels) {
+/// Mode::primary: a block is traced, the triangles that it met are prefetched, and then it is shaded.
+template <u32 N>
+void primary_block(SceneView scene, RTCScene handle, const FrameArgs& args, Tile tile, u32 bx, u32 by, Vec3* pixels) {
+  alignas(64) typename embree::Packet<N>::RayHits packets[kBlockRays / N];
+  alignas(64) int valid[kBlockRays / N][N];
+  for (u32 p = 0; p < kBlockRays / N; ++p) {
+    embree::fill_primary<N>(packets[p], valid[p], args.camera, bx, by, p * N, tile);
+    embree::Packet<N>::intersect(valid[p], handle, embree::Coherence::coherent, &packets[p]);
+    for (u32 i = 0; i < N; ++i) {
+      if (packets[p].hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+      __builtin_prefetch(scene.corners() + packets[p].hit.primID[i]);
+      __builtin_prefetch(scene.triangles() + packets[p].hit.primID[i]);
+    }
+  }
   const Vec3 background = scene.header().background;
-  embree::trace_primary(handle, args, tile, [&](const embree::PrimaryBlock& block) {
-    for (const RTCRayHit8& packet : block.packets) {
-      for (u32 i = 0; i < kPacket; ++i) {
-        if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-        __builtin_prefetch(scene.corners() + packet.hit.primID[i]);
-        __builtin_prefetch(scene.triangles() + packet.hit.primID[i]);
-      }
+  for (u32 lane = 0; lane < kBlockRays; lane += kBatch) {
+    const auto& packet = packets[lane / N];
+    Vec3Batch colors;
+    embree::shade<N>(scene, packet, lane % N, colors);
+    for (u32 i = 0; i < kBatch; ++i) {
+      if (!valid[lane / N][lane % N + i]) continue;
+      const bool hit = packet.hit.geomID[lane % N + i] != RTC_INVALID_GEOMETRY_ID;
+      pixels[u64{by + block_y(lane + i)} * args.width + bx + block_x(lane + i)] = hit ? colors.get(i) : background;
     }
-    for (u32 p = 0; p < kBlockRays / kPacket; ++p) {
-      const RTCRayHit8& packet = block.packets[p];
-      const auto pixel = [&](u32 i) -> Vec3& {
-        const u32 lane = p * kPacket + i;
-        return pixels[u64{block.by + block_y(lane)} * args.width + block.bx + block_x(lane)];
-      };
-      Vec3Batch colors;
-      const bool any = embree::shade(scene, packet, colors);
-      for (u32 i = 0; i < kPacket; ++i) {
-        if (!block.valid[p][i]) continue;
-        const bool hit = any && packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
-        pixel(i) = hit ? colors.get(i) : background;
-      }
-    }
-  });
+  }
 }
 
+template <u32 N>
 void frame(SceneView scene, const void* structure, const FrameArgs& args, Tile tile, Vec3* pixels) {
-  if (args.mode == Mode::primary) return primary_frame(scene, scene_of(structure), args, tile, pixels);
-  embree::Tracer<embree::NoRayCount> tracer{scene_of(structure)};
+  if (args.mode == Mode::primary) {
+    for (u32 by = tile.y0; by < tile.y1; by += kBlockSide)
+      for (u32 bx = tile.x0; bx < tile.x1; bx += kBlockSide)
+        primary_block<N>(scene, scene_of(structure), args, tile, bx, by, pixels);
+    return;
+  }
+  embree::Tracer<N, embree::NoRayCount> tracer{scene_of(structure)};
   shade_tile(tracer, scene, args, tile, [&](u32 x, u32 y, Vec3 color) { pixels[u64{y} * args.width + x] = color; });
 }
 
+template <u32 N>
 Counts count_frame(SceneView scene, const void* structure, const FrameArgs& args, Tile tile) {
-  embree::Tracer<embree::RayCount> tracer{scene_of(structure)};
+  embree::Tracer<N, embree::RayCount> tracer{scene_of(structure)};
   shade_tile(tracer, scene, args, tile, [](u32, u32, Vec3) {});
   return {tracer.count.rays, 0, 0};
 }
@@ -155,7 +161,7 @@ void loop_1(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) 
       RTCRayHit one;
       one.ray = {r.o.x, r.o.y, r.o.z, r.tmin, r.d.x, r.d.y, r.d.z, 0.0f, r.tmax, 0xffffffffu, 0, 0};
       one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      embree::intersect1(scene_of(structure), &one);
+      embree::intersect(scene_of(structure), &one);
       *hits++ = {one.ray.tfar, one.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kMiss : one.hit.primID, one.hit.u,
                  one.hit.v};
     }
@@ -164,6 +170,7 @@ void loop_1(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) 
 
 /// As anyone would write it: rays one by one into a packet, one coherent call, hits out.
 void loop_8(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) {
+  constexpr u32 kPacket = 8;
   for (u32 by = tile.y0; by < tile.y1; by += kBlockSide) {
     for (u32 bx = tile.x0; bx < tile.x1; bx += kBlockSide) {
       for (u32 first = 0; first < kBlockRays; first += kPacket) {
@@ -175,7 +182,7 @@ void loop_8(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) 
           embree::set_lane(packet.ray, i, primary_ray(args.camera, x, y));
           packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         }
-        embree::intersect8(valid, scene_of(structure), embree::Coherence::coherent, &packet);
+        embree::Packet<kPacket>::intersect(valid, scene_of(structure), embree::Coherence::coherent, &packet);
         for (u32 i = 0; i < kPacket; ++i)
           if (valid[i]) *hits++ = embree::hit_of(packet, i);
       }
@@ -183,11 +190,20 @@ void loop_8(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) 
   }
 }
 
+/// The traversal in packets of N.
+template <u32 N>
+CpuTraversal intersect_row(std::string_view help) {
+  return {"embree", "intersect", help, closest<N>, occluded<N>, frame<N>, count_frame<N>, count_rays};
+}
+
 }  // namespace
 
 CpuKind embree_kind() {
-  const CpuTraversal intersect{"embree",    "intersect", "Embree, coherent packets of eight", closest, occluded, frame,
-                               count_frame, count_rays};
+  // Without AVX-512 Embree takes a packet of sixteen apart, ray by ray.
+  const bool wide =
+      rtcGetDeviceProperty(EmbreeDevice::instance().handle(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
+  const CpuTraversal intersect =
+      wide ? intersect_row<16>("Embree in packets of sixteen") : intersect_row<8>("Embree in packets of eight");
   CpuKind kind{{"embree", "Intel Embree's own BVH", {}, {}}, build, nullptr, {intersect}};
   kind.loops = {{"loop-1", "bare loop over rtcIntersect1, ray generation included", loop_1},
                 {"loop-8", "bare loop over coherent rtcIntersect8, ray generation included", loop_8}};
