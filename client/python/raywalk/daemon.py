@@ -39,7 +39,7 @@ class LocalDaemon:
             # A session of its own: Ctrl-C reaches this process, which then stops the daemon in good order.
             with self._log.open("wb") as log:
                 self._process = subprocess.Popen(
-                    [str(program), *flags, *self._arguments],
+                    [str(program), *flags, *self._arguments, "--die-with-parent"],
                     stdin=subprocess.DEVNULL,
                     stdout=log,
                     stderr=subprocess.STDOUT,

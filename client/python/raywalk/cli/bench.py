@@ -1,17 +1,20 @@
 """raywalk bench: a benchmark job, its table and the ratios that are promised."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from raywalk.cli.session import connected, print_json, results, size, technique, words, writable_file
+from raywalk.client import Client
 from raywalk.follow import benchmark
-from raywalk.models import BenchmarkSpec
+from raywalk.models import BenchmarkResult, BenchmarkSpec, Job, Technique
 from raywalk.progress import job_bar, messages
 from raywalk.ratios import ratios
 from raywalk.tables import csv_text, table2, terminal
 from raywalk.tables.files import result_json
+from raywalk.techniques import bare_loops, measured
 
 
 def spec_of(scene: str, techniques: str | None, modes: str, **numbers: object) -> BenchmarkSpec:
@@ -23,6 +26,28 @@ def spec_of(scene: str, techniques: str | None, modes: str, **numbers: object) -
     return BenchmarkSpec.model_validate(spec)
 
 
+def measure(client: Client, spec: BenchmarkSpec, progress: Callable[[Job], None]) -> BenchmarkResult:
+    """Runs the job: all techniques when none are named. The daemon takes bare loops with mode trace alone, so they
+    follow in a job of their own."""
+    kinds = client.get_kinds()
+    loops, others = bare_loops(kinds), measured(kinds)
+    if spec.techniques is not None:
+        loops, others = chosen(loops, spec.techniques)
+    elif "trace" not in (spec.modes or []):
+        loops = []
+    if not loops or not others:
+        return benchmark(client, spec.model_copy(update={"techniques": others or loops}), progress)
+    result = benchmark(client, spec.model_copy(update={"techniques": others}), progress)
+    bounds = benchmark(client, spec.model_copy(update={"techniques": loops, "modes": ["trace"]}), progress)
+    note = "The bare loops were measured right after the others, in a job of their own."
+    return result.model_copy(update={"rows": result.rows + bounds.rows, "notes": [*result.notes, note]})
+
+
+def chosen(loops: list[Technique], named: list[Technique]) -> tuple[list[Technique], list[Technique]]:
+    """The named techniques that are bare loops, and the others."""
+    return [one for one in named if one in loops], [one for one in named if one not in loops]
+
+
 def bench(
     context: typer.Context,
     scene: Annotated[str, typer.Argument(help="Name of a scene; it is loaded and its structures are built.")],
@@ -32,7 +57,7 @@ def bench(
     modes: Annotated[
         str, typer.Option(help="Of trace, primary, shadow and whitted, separated by commas.")
     ] = "trace,primary,shadow,whitted",
-    frames: Annotated[int, typer.Option(help="Frames spread evenly over the walkthrough.")] = 400,
+    frames: Annotated[int, typer.Option(help="Frames spread evenly over the walkthrough; the study has 400.")] = 20,
     size_: Annotated[str, typer.Option("--size", help="Pixels.", metavar="WxH")] = "1024x1024",
     depth: Annotated[int, typer.Option(help="Bounces of secondary rays in mode whitted.")] = 2,
     repeats: Annotated[int, typer.Option(help="Times that the frames are measured.")] = 1,
@@ -51,7 +76,7 @@ def bench(
     if out is not None:
         writable_file(out)
     with connected(context) as client, job_bar(scene, width * height) as progress:
-        result = benchmark(client, spec, progress)
+        result = measure(client, spec, progress)
     if out is not None:
         out.write_text(result_json(result))
         messages().print(f"wrote {out}")

@@ -14,19 +14,10 @@ from raywalk.progress import bar, job_bar, messages
 from raywalk.showcase import render_walk, sheet_of
 from raywalk.tables import table1, table2, terminal, write_tables
 from raywalk.tables.files import result_json
+from raywalk.techniques import measured
 
 MODES = ["primary", "shadow", "whitted"]
 SHOWN_MODE = "whitted"
-
-
-def techniques_of(client: Client) -> list[Technique]:
-    """All but bare loops and brute force, which would take hours."""
-    return [
-        Technique(structure=kind.name, traversal=traversal.name)
-        for kind in client.get_kinds()
-        for traversal in kind.traversals
-        if not traversal.baseline and kind.name != "brute"
-    ]
 
 
 def demo(
@@ -50,7 +41,7 @@ def demo(
         with bar(f"loading {scene}"):
             loaded = client.load_scene(scene)
         console.print(f"{loaded.title}: {loaded.triangles:,} triangles, {loaded.fidelity}")
-        techniques = techniques_of(client)
+        techniques = measured(client.get_kinds())
         build_all(client, scene, techniques)
         spec = BenchmarkSpec.model_validate(
             {"scene": scene, "techniques": techniques, "modes": MODES, "width": width, "height": height}

@@ -1,0 +1,22 @@
+"""Which techniques a benchmark measures when none are named."""
+
+from collections.abc import Iterable
+
+from raywalk.models import Kind, Technique
+
+ORACLE = "brute"  # the linear loop: right, and a thousand times too slow for a walkthrough
+
+
+def measured(kinds: Iterable[Kind]) -> list[Technique]:
+    """Every structure and traversal but bare loops and the oracle."""
+    return [technique for kind in kinds if kind.name != ORACLE for technique in techniques_of(kind, baseline=False)]
+
+
+def bare_loops(kinds: Iterable[Kind]) -> list[Technique]:
+    """Bare loops that bound what is possible; mode trace only."""
+    return [technique for kind in kinds for technique in techniques_of(kind, baseline=True)]
+
+
+def techniques_of(kind: Kind, baseline: bool) -> list[Technique]:
+    chosen = [traversal for traversal in kind.traversals if bool(traversal.baseline) == baseline]
+    return [Technique(structure=kind.name, traversal=traversal.name) for traversal in chosen]
