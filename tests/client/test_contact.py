@@ -31,6 +31,13 @@ def test_sheet_has_a_column_for_each_technique(panels) -> None:
     assert (10, 200, 10) in {colour for _, colour in sheet.getcolors(1 << 24)}
 
 
+def test_sheet_of_equal_images_has_no_row_of_differences(panels) -> None:
+    walk = [Image.new("RGB", (48, 32))]
+    equal = [Panel(panel.name, "", panels[1].image, panel.steps) for panel in panels]
+    tall, short = (contact_sheet("t", "m", chosen, "bvh/packet", walk, tile=120) for chosen in (panels, equal))
+    assert tall.height - short.height == 80 + 44 + 12
+
+
 def test_difference_is_counted(panels) -> None:
     (tile, _, caption), (_, name, _) = difference_row(panels, "embree/intersect")
     assert caption == "1 pixels differ, by 5/255 at most"

@@ -9,7 +9,8 @@ from PIL import Image, ImageDraw, ImageFont
 
 from raywalk.heat import heat
 
-PAPER, INK, FAINT, ACCENT = (18, 20, 26), (236, 238, 242), (140, 148, 160), (250, 168, 40)
+PAPER, INK, FAINT = (18, 20, 26), (236, 238, 242), (140, 148, 160)
+ACCENT, GOOD = (250, 168, 40), (110, 200, 120)
 MARGIN, GAP, TITLE, LABEL = 28, 12, 92, 44
 DIFFERENCE_FULL = 1 / 16  # of the range of sRGB values: the lightest colour of the difference map
 
@@ -27,27 +28,32 @@ class Panel:
 def contact_sheet(
     title: str, subtitle: str, panels: Sequence[Panel], reference: str, walk: Sequence[Image.Image], tile: int = 248
 ) -> Image.Image:
-    """Three rows with one column a technique, then a strip of the walkthrough. `reference` names the panel that the
-    others are compared with."""
+    """Images, steps and (if there are any) differences in one column a technique, then a strip of the walkthrough.
+    `reference` names the panel that the others are compared with."""
     columns = len(panels)
     height = round(tile * panels[0].image.shape[0] / panels[0].image.shape[1])
     width = 2 * MARGIN + columns * tile + (columns - 1) * GAP
     strip = strip_of(walk, width - 2 * MARGIN)
-    rows = 3 * (LABEL + height + GAP)
-    sheet = Image.new("RGB", (width, TITLE + rows + LABEL + strip.height + MARGIN), PAPER)
+    rows = [image_row(panels), steps_row(panels)]
+    same = all(np.array_equal(panel.image, panels[0].image) for panel in panels)
+    if not same:
+        rows.append(difference_row(panels, reference))
+    bottom = TITLE + len(rows) * (LABEL + height + GAP)
+    sheet = Image.new("RGB", (width, bottom + 2 * LABEL + strip.height + MARGIN), PAPER)
     draw = ImageDraw.Draw(sheet)
     draw.text((MARGIN, 22), title, INK, font(28))
     draw.text((MARGIN, 60), fitted(draw, subtitle, font(14), width - 2 * MARGIN), FAINT, font(14))
-    top = TITLE
-    for row in image_row(panels), steps_row(panels), difference_row(panels, reference):
+    for number, row in enumerate(rows):
+        top = TITLE + number * (LABEL + height + GAP)
         for column, (image, name, caption) in enumerate(row):
             left = MARGIN + column * (tile + GAP)
             draw.text((left, top + 4), fitted(draw, name, font(15), tile), INK, font(15))
             draw.text((left, top + 24), fitted(draw, caption, font(12), tile), FAINT, font(12))
             sheet.paste(image.resize((tile, height), Image.Resampling.LANCZOS), (left, top + LABEL))
-        top += LABEL + height + GAP
-    draw.text((MARGIN, top + 14), f"walkthrough, {len(walk)} of its frames", ACCENT, font(15))
-    sheet.paste(strip, (MARGIN, top + LABEL))
+    verdict = "every pixel is the same in all images" if same else "lightest difference: 16/255 and more"
+    draw.text((MARGIN, bottom + 6), f"compared with {reference}: {verdict}", GOOD if same else FAINT, font(15))
+    draw.text((MARGIN, bottom + LABEL + 14), f"walkthrough, {len(walk)} of its frames", ACCENT, font(15))
+    sheet.paste(strip, (MARGIN, bottom + 2 * LABEL))
     return sheet
 
 

@@ -7,18 +7,18 @@ from raywalk.tables.machine import machine_line
 from raywalk.tables.paper import PAPER_DEVICE, PAPER_FRAMES, PAPER_SIZE, Paper
 from raywalk.tables.table import Cell, Column, Table
 
-MODE_NAMES = {
-    "trace": "traversal only",
-    "primary": "primary",
-    "shadow": "primary + shadow",
-    "whitted": "primary + shadow + secondary",
+MODES = {
+    "trace": "traversal alone",
+    "primary": "primary rays",
+    "shadow": "and a shadow ray a light",
+    "whitted": "and secondary rays",
 }
 # What is 100 %, as in the paper: its BVH for primary rays, kdt-2 for the others.
 BVH, KDT2 = "bvh/packet", "kdtree/short-stack-2"
 BASE = {"trace": BVH, "primary": BVH, "shadow": KDT2, "whitted": KDT2}
 COLUMNS = [
     Column("scene", left=True),
-    Column("rays", left=True),
+    Column("mode", left=True),
     Column("technique", left=True),
     Column("ms", "frame", 2),
     Column("%", "frame"),
@@ -26,8 +26,8 @@ COLUMNS = [
     Column("ids ppm", "error"),
     Column("95 % ≤", "error", 1),
     Column("RMSE", "error"),
-    Column("ms", f"paper {PAPER_DEVICE}", 1),
-    Column("%", f"paper {PAPER_DEVICE}"),
+    Column("ms", PAPER_DEVICE, 1),
+    Column("%", PAPER_DEVICE),
 ]
 
 
@@ -40,7 +40,7 @@ def table2(results: Sequence[BenchmarkResult]) -> Table:
     table = Table(f"Table 2: mean time of a frame, {spec.width}x{spec.height}", machine_line(results), COLUMNS)
     for result in results:
         label = f"{result.scene.name} ({result.scene.fidelity})"
-        for mode in MODE_NAMES:
+        for mode in MODES:
             rows = [row for row in result.rows if row.mode == mode]
             if rows:
                 table.sections.add(len(table.rows))
@@ -58,7 +58,7 @@ def add_mode(table: Table, result: BenchmarkResult, label: str, mode: str, rows:
         if row is best:
             table.best.add(len(table.rows))
         name = technique(row) + (" *" if row.frame_ms.unstable else "")
-        cells: list[Cell] = [label if number == 0 else "", MODE_NAMES[mode] if number == 0 else "", name]
+        cells: list[Cell] = [label if number == 0 else "", mode if number == 0 else "", name]
         cells += [row.frame_ms.mean, percent(row.frame_ms.mean, base), row.mrays_per_s]
         cells += error_cells(row) + paper_cells(paper, mode, technique(row))
         table.rows.append(cells)
@@ -96,6 +96,8 @@ def notes(results: Sequence[BenchmarkResult]) -> list[str]:
         f"100 % is {BVH} for primary rays and {KDT2} for the others, as in the paper (else the fastest); "
         "the fastest of each group is set off."
     ]
+    modes = {row.mode for result in results for row in result.rows}
+    said.append("Modes: " + "; ".join(f"{mode}: {prose}" for mode, prose in MODES.items() if mode in modes) + ".")
     references = ", ".join(sorted({row.error.reference for result in results for row in result.rows}))
     frames = ", ".join(sorted({str(row.error.frames) for result in results for row in result.rows}))
     said.append(
@@ -103,7 +105,7 @@ def notes(results: Sequence[BenchmarkResult]) -> list[str]:
         "end of the 95 % interval) and RMSE of sRGB values in 0..1."
     )
     if any(Paper(result.scene.paper).has_times for result in results):
-        said.append(f"The paper's times: {PAPER_DEVICE}, {PAPER_SIZE}, {PAPER_FRAMES} frames of its own walkthroughs.")
+        said.append(f"{PAPER_DEVICE}: the paper's times, {PAPER_SIZE}, {PAPER_FRAMES} frames of its own walkthroughs.")
     if any(is_bound(row) for result in results for row in result.rows):
         said.append("embree/loop-1 and loop-8 are bare loops over one ray and eight: they bound what is possible.")
     if any(row.frame_ms.unstable for result in results for row in result.rows):
