@@ -10,8 +10,8 @@ from raywalk.tables.table import Cell, Column, Table
 MODES = {
     "trace": "traversal alone",
     "primary": "primary rays",
-    "shadow": "and a shadow ray a light",
-    "whitted": "and secondary rays",
+    "shadow": "these and a shadow ray a light",
+    "whitted": "these and secondary rays",
 }
 # What is 100 %, as in the paper: its BVH for primary rays, kdt-2 for the others.
 BVH, KDT2 = "bvh/packet", "kdtree/short-stack-2"
