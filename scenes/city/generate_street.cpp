@@ -83,8 +83,8 @@ void add_square(Pieces& pieces, Random& random) {
     return SurfacePoint{core + kScale * p.position, p.normal};
   };
   pieces.ball(statue, kBronze, 6000.0);
-  for (int i = 0; i < 12; ++i) {
-    const Placement around = Placement::at({}, (i + 0.5) / 12.0);
+  for (int i = 0; i < 8; ++i) {
+    const Placement around = Placement::at({}, (i + 0.5) / 8.0);
     const float height = random.between(6.0f, 9.5f);
     add_tree(pieces, around.point({17.0f, ground, 0.0f}), height, random);
   }
