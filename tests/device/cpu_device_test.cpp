@@ -1,0 +1,279 @@
+// Every structure and traversal of the CPU device on every small scene: hits equal to brute force to the last bit,
+// frames equal to each other, Embree in agreement, invalid rays harmless.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+#include "server/device/device.h"
+#include "server/scene/importer.h"
+#include "tests/support/rooms.h"
+
+namespace raywalk {
+namespace {
+
+using SceneBlob = std::shared_ptr<const Blob>;
+
+struct Technique {
+  std::string kind, traversal;
+};
+
+class CpuDevice : public testing::Test {
+ protected:
+  static Device& device() {
+    static const std::unique_ptr<Device> opened = open_cpu_device(2);
+    return *opened;
+  }
+  /// Everything but the bare loops.
+  static std::vector<Technique> techniques(bool with_brute = true) {
+    std::vector<Technique> all;
+    for (const KindInfo& kind : device().kinds())
+      for (const TraversalInfo& traversal : kind.traversals)
+        if (!traversal.baseline && (with_brute || kind.name != "brute")) all.push_back({kind.name, traversal.name});
+    return all;
+  }
+  static std::vector<Hit> closest(const SceneBlob& scene, const Technique& technique, const std::vector<Ray>& rays) {
+    return device().closest({device().build(scene, technique.kind, {}), technique.traversal, rays});
+  }
+};
+
+struct NamedScene {
+  std::string name;
+  SceneBlob scene;
+};
+
+std::vector<NamedScene> small_scenes() {
+  const auto blob = [](test::Mesh mesh) { return std::make_shared<const Blob>(test::make_scene(std::move(mesh))); };
+  test::Mesh broken = test::icosphere(1);
+  broken[3].b.y = std::numeric_limits<float>::quiet_NaN();
+  broken[7].a.x = std::numeric_limits<float>::infinity();
+  test::Mesh twice = test::icosphere(1);
+  test::append(twice, test::icosphere(1));
+  return {{"empty", blob({})},
+          {"one triangle", blob({test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0})})},
+          {"soup", blob(test::random_soup(1, 600))},
+          {"sphere", blob(test::icosphere(3))},
+          {"box", blob(test::subdivided_box(6))},
+          {"quad", blob(test::quad_grid(8))},
+          {"slivers", blob(test::slivers(2, 300))},
+          {"duplicates", blob(std::move(twice))},
+          {"non-finite vertices", blob(std::move(broken))},
+          {"small and far", blob(test::transformed(test::icosphere(2), 1e-3f, {100, -50, 25}))},
+          {"room", std::make_shared<const Blob>(test::room({}))}};
+}
+
+std::vector<Ray> rays_for(const SceneBlob& scene) {
+  const SceneView view{scene->data()};
+  test::Mesh mesh;
+  for (u32 i = 0; i < view.triangle_count(); ++i)
+    if (is_finite(view.corners()[i])) mesh.push_back(view.corners()[i]);
+  const Box bounds = mesh.empty() ? Box{{-1, -1, -1}, {1, 1, 1}} : test::bounds_of(mesh);
+  std::vector<Ray> rays = test::random_rays(5, 700, bounds);
+  if (mesh.empty()) return rays;
+  for (const std::vector<Ray>& more :
+       {test::edge_rays(6, 400, mesh), test::vertex_rays(7, 400, mesh), test::axis_rays(8, 400, mesh)})
+    rays.insert(rays.end(), more.begin(), more.end());
+  return rays;
+}
+
+TEST_F(CpuDevice, EveryTraversalHitsAsBruteForceDoes) {
+  for (const NamedScene& named : small_scenes()) {
+    const std::vector<Ray> rays = rays_for(named.scene);
+    const std::vector<Hit> expected = closest(named.scene, {"brute", "loop"}, rays);
+    for (const Technique& technique : techniques(false)) {
+      if (technique.kind == "embree") continue;  // its triangle test is another one
+      const std::vector<Hit> hits = closest(named.scene, technique, rays);
+      const auto structure = device().build(named.scene, technique.kind, {});
+      const std::vector<u8> occluded = device().occluded({structure, technique.traversal, rays});
+      for (size_t i = 0; i < rays.size(); ++i) {
+        const Hit &a = expected[i], &b = hits[i];
+        ASSERT_TRUE(a.id == b.id && a.t == b.t && a.u == b.u && a.v == b.v)
+            << named.name << ", " << technique.kind << "/" << technique.traversal << ", ray " << i << ": id " << b.id
+            << " at " << b.t << " instead of " << a.id << " at " << a.t;
+        ASSERT_EQ(occluded[i] != 0, a.id != kMiss)
+            << named.name << ", " << technique.kind << "/" << technique.traversal << ", ray " << i;
+      }
+    }
+  }
+}
+
+TEST_F(CpuDevice, EmbreeAgreesWhereARayIsNotAtAnEdge) {
+  for (const NamedScene& named : small_scenes()) {
+    const SceneView view{named.scene->data()};
+    const Box bounds = view.triangle_count() ? view.header().bounds : Box{{-1, -1, -1}, {1, 1, 1}};
+    const std::vector<Ray> rays = test::random_rays(11, 4000, bounds);
+    const std::vector<Hit> ours = closest(named.scene, {"bvh", "while-while"}, rays);
+    const std::vector<Hit> theirs = closest(named.scene, {"embree", "intersect"}, rays);
+    for (size_t i = 0; i < rays.size(); ++i) {
+      const Hit &a = ours[i], &b = theirs[i];
+      const bool at_edge = std::min({a.u, a.v, 1.0f - a.u - a.v, b.u, b.v, 1.0f - b.u - b.v}) < 1e-3f;
+      if (a.id == b.id) {
+        if (a.id != kMiss && named.name != "slivers") {
+          EXPECT_NEAR(a.t, b.t, 1e-4f * std::max(1.0f, a.t)) << named.name;
+        }
+        continue;
+      }
+      const bool tie = a.id != kMiss && b.id != kMiss && std::abs(a.t - b.t) <= 1e-5f * std::max(1.0f, a.t);
+      EXPECT_TRUE(at_edge || tie) << named.name << ", ray " << i << ": ids " << a.id << " and " << b.id << ", t " << a.t
+                                  << " and " << b.t;
+    }
+  }
+}
+
+FrameJob room_job(const std::shared_ptr<const Structure>& structure, const std::string& traversal, Mode mode) {
+  FrameJob job;
+  job.structure = structure;
+  job.traversal = traversal;
+  job.camera = {{0.1f, 0.2f, 1.8f}, {0.0f, -0.4f, 0.0f}, {0, 1, 0}, 70};
+  job.width = 83;  // not a multiple of the block
+  job.height = 45;
+  job.mode = mode;
+  job.depth = 3;
+  return job;
+}
+
+TEST_F(CpuDevice, EveryTraversalRendersTheSameFrame) {
+  const SceneBlob scene = std::make_shared<const Blob>(test::room({}));
+  for (Mode mode : {Mode::primary, Mode::shadow, Mode::whitted}) {
+    Frame expected;
+    device().render(room_job(device().build(scene, "brute", {}), "loop", mode), expected);
+    EXPECT_GT(*std::max_element(expected.pixels.begin(), expected.pixels.end()), 0.1f);
+    for (const Technique& technique : techniques(false)) {
+      Frame frame;
+      const auto structure = device().build(scene, technique.kind, {});
+      device().render(room_job(structure, technique.traversal, mode), frame);
+      if (technique.kind != "embree") {
+        ASSERT_TRUE(frame.pixels == expected.pixels) << technique.kind << "/" << technique.traversal;
+        continue;
+      }
+      double sum = 0;
+      for (size_t i = 0; i < frame.pixels.size(); ++i) sum += std::pow(frame.pixels[i] - expected.pixels[i], 2.0);
+      EXPECT_LT(std::sqrt(sum / static_cast<double>(frame.pixels.size())), 0.02) << "mode " << static_cast<int>(mode);
+    }
+  }
+}
+
+TEST_F(CpuDevice, OutputsFollowFromThePrimaryHits) {
+  const SceneBlob scene = std::make_shared<const Blob>(test::room({}));
+  for (const Technique& technique : techniques()) {
+    FrameJob job = room_job(device().build(scene, technique.kind, {}), technique.traversal, Mode::primary);
+    job.width = 80;  // whole blocks, so that packets are the same in a ray list and in a frame
+    job.height = 48;
+    PrimaryHits primary;
+    device().trace_primary(job, primary);
+    Frame frame;
+    job.output = Output::id;
+    device().render(job, frame);
+    ASSERT_EQ(frame.channels, 1u);
+    for (size_t i = 0; i < primary.hits.size(); ++i)
+      ASSERT_EQ(frame.pixels[i], static_cast<float>(primary.hits[i].id));  // the room is closed: no misses
+    job.output = Output::depth;
+    device().render(job, frame);
+    for (size_t i = 0; i < primary.hits.size(); ++i) ASSERT_EQ(frame.pixels[i], primary.hits[i].t);
+    job.output = Output::normal;
+    device().render(job, frame);
+    ASSERT_EQ(frame.channels, 3u);
+    for (size_t i = 0; i < primary.hits.size(); ++i)
+      ASSERT_NEAR(std::hypot(frame.pixels[3 * i], frame.pixels[3 * i + 1], frame.pixels[3 * i + 2]), 1.0f, 1e-5f);
+    job.output = Output::steps;
+    device().render(job, frame);
+    ASSERT_EQ(frame.channels, 2u);
+    const Counts counts = device().count(job);
+    EXPECT_EQ(counts.rays, u64{job.width} * job.height);
+    if (!device().can_count(technique.kind)) continue;
+    u64 steps = 0, tests = 0;
+    for (size_t i = 0; i < primary.hits.size(); ++i) {
+      steps += static_cast<u64>(frame.pixels[2 * i]);
+      tests += static_cast<u64>(frame.pixels[2 * i + 1]);
+    }
+    EXPECT_EQ(counts.steps, steps) << technique.kind << "/" << technique.traversal;
+    EXPECT_EQ(counts.tests, tests) << technique.kind << "/" << technique.traversal;
+  }
+}
+
+TEST_F(CpuDevice, BareLoopsHitAsOftenAsTheTraversal) {
+  const SceneBlob scene = std::make_shared<const Blob>(test::make_scene(test::icosphere(3)));
+  FrameJob job = room_job(device().build(scene, "embree", {}), "intersect", Mode::primary);
+  job.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 45};
+  const auto hit_count = [&](const std::string& traversal) {
+    job.traversal = traversal;
+    PrimaryHits primary;
+    device().trace_primary(job, primary);
+    return std::count_if(primary.hits.begin(), primary.hits.end(), [](const Hit& h) { return h.id != kMiss; });
+  };
+  const auto expected = hit_count("intersect");
+  EXPECT_GT(expected, 500);
+  EXPECT_NEAR(static_cast<double>(hit_count("loop-1")), static_cast<double>(expected), 2.0);
+  EXPECT_NEAR(static_cast<double>(hit_count("loop-8")), static_cast<double>(expected), 2.0);
+}
+
+TEST_F(CpuDevice, InvalidRaysMissEverywhere) {
+  const SceneBlob scene = std::make_shared<const Blob>(test::room({}));
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  const Ray good{{0, 0, 0}, 0.0f, {0, -1, 0}, 100.0f};
+  std::vector<Ray> rays;
+  for (float bad : {nan, inf, -inf}) {
+    for (int field = 0; field < 8; ++field) {
+      Ray ray = good;
+      reinterpret_cast<float*>(&ray)[field] = bad;
+      rays.push_back(ray);
+    }
+  }
+  rays.push_back({{0, 0, 0}, 0.0f, {0, 0, 0}, 100.0f});
+  rays.push_back({{0, 0, 0}, 0.0f, {-0.0f, 0, -0.0f}, 100.0f});
+  const size_t invalid = rays.size();
+  rays.push_back(good);
+  for (const Technique& technique : techniques()) {
+    const auto structure = device().build(scene, technique.kind, {});
+    const auto hits = device().closest({structure, technique.traversal, rays});
+    const auto occluded = device().occluded({structure, technique.traversal, rays});
+    for (size_t i = 0; i < rays.size(); ++i) {
+      EXPECT_EQ(hits[i].id == kMiss, i < invalid) << technique.kind << "/" << technique.traversal << ", ray " << i;
+      EXPECT_EQ(occluded[i] == 0, i < invalid) << technique.kind << "/" << technique.traversal << ", ray " << i;
+    }
+  }
+}
+
+TEST_F(CpuDevice, RefusesWhatItDoesNotKnow) {
+  const SceneBlob scene = std::make_shared<const Blob>(test::make_scene(test::icosphere(0)));
+  EXPECT_THROW(device().build(scene, "octree", {}), std::invalid_argument);
+  EXPECT_THROW(device().build(scene, "bvh", {{"no-such-option", 1.0}}), std::invalid_argument);
+  EXPECT_THROW(device().build(scene, "grid", {{"resolution-x", -5.0}}), std::invalid_argument);
+  Frame frame;
+  EXPECT_THROW(device().render(room_job(device().build(scene, "bvh", {}), "dda", Mode::primary), frame),
+               std::invalid_argument);
+  FrameJob blind = room_job(device().build(scene, "bvh", {}), "packet", Mode::primary);
+  blind.camera.target = blind.camera.eye;
+  EXPECT_THROW(device().render(blind, frame), std::invalid_argument);
+}
+
+TEST_F(CpuDevice, AllStructuresSeeTheSameBunny) {
+  const char* data = std::getenv("RAYWALK_SCENE_DATA");
+  const std::filesystem::path file = std::filesystem::path(data ? data : "scenes/data") / "bunny" / "bun_zipper.ply";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original bunny is not at " << file;
+  const SceneBlob scene = std::make_shared<const Blob>(pack(load_mesh(file)));
+  const Box bounds = scene->header<SceneHeader>().bounds;
+  PrimaryHits expected;
+  for (const Technique& technique : techniques(false)) {
+    if (technique.kind == "embree") continue;
+    FrameJob job = room_job(device().build(scene, technique.kind, {}), technique.traversal, Mode::primary);
+    job.width = job.height = 512;
+    job.camera = {bounds.centre() + Vec3{0.05f, 0.06f, 0.22f}, bounds.centre(), {0, 1, 0}, 45};
+    PrimaryHits hits;
+    device().trace_primary(job, hits);
+    if (expected.hits.empty()) expected = hits;
+    size_t different = 0, met = 0;
+    for (size_t i = 0; i < hits.hits.size(); ++i) {
+      different += hits.hits[i].id != expected.hits[i].id || hits.hits[i].t != expected.hits[i].t;
+      met += hits.hits[i].id != kMiss;
+    }
+    EXPECT_EQ(different, 0u) << technique.kind << "/" << technique.traversal;
+    EXPECT_GT(met, 20000u);
+  }
+}
+
+}  // namespace
+}  // namespace raywalk

@@ -1,0 +1,170 @@
+// Shading: its small functions against the standard library, features that are absent cost no pixel, spawned rays
+// leave.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "kernels/accel/traversals.h"
+#include "kernels/frame_cpu.h"
+#include "kernels/shade/direct_batch.h"
+#include "kernels/tracer.h"
+#include "tests/support/meshes.h"
+#include "tests/support/rooms.h"
+
+namespace raywalk {
+namespace {
+
+using BruteTracer = SingleTracer<Brute, NoCounter>;
+
+TEST(Power, AgreesWithTheStandardLibrary) {
+  for (float n : {0.0f, 1.0f, 2.0f, 5.5f, 32.0f, 400.0f}) {
+    for (float x = 1e-3f; x <= 1.0f; x *= 1.07f) {
+      const double exact = std::pow(static_cast<double>(x), static_cast<double>(n));
+      if (exact < 1e-35) {
+        EXPECT_LE(power(x, n), 1e-34f);
+      } else {
+        EXPECT_NEAR(power(x, n) / exact, 1.0, 2e-5) << x << "^" << n;
+      }
+    }
+  }
+  EXPECT_EQ(power(1.0f, 50.0f), 1.0f);
+  EXPECT_EQ(power(0.0f, 8.0f), 0.0f);
+}
+
+TEST(Glass, BendsAsSnelliusSays) {
+  const Vec3 n{0, 0, 1};
+  const float angle = 0.6f;
+  const Vec3 d{std::sin(angle), 0, -std::cos(angle)};
+  Vec3 out;
+  ASSERT_TRUE(refracted(d, n, 1.0f / 1.5f, out));
+  EXPECT_NEAR(out.x, std::sin(angle) / 1.5f, 1e-6);
+  EXPECT_NEAR(length(out), 1.0f, 1e-6);
+  EXPECT_FALSE(refracted({std::sin(1.0f), 0, -std::cos(1.0f)}, n, 1.5f, out)) << "beyond the critical angle";
+}
+
+Vec3 pixel(SceneView scene, const FrameArgs& args, u32 x, u32 y, auto radiance_of) {
+  BruteTracer tracer{scene, nullptr};
+  const bool active = true;
+  Vec3 color;
+  radiance_of(tracer, args, &x, &y, &active, &color);
+  return color;
+}
+
+TEST(Features, AbsentOnesChangeNoPixel) {
+  const Blob plain = test::room({.mirror = false, .glass = false, .specular = false, .lights = 1});
+  ASSERT_EQ(plain.header<SceneHeader>().features, 0u);
+  const SceneView scene{plain.data()};
+  const FrameArgs args{test::room_camera(24, 16), 24, 16, Mode::whitted, 4};
+  for (u32 y = 0; y < args.height; ++y) {
+    for (u32 x = 0; x < args.width; ++x) {
+      const auto run = [&]<u32 kMask>() {
+        return pixel(scene, args, x, y, [&](auto& tracer, const FrameArgs& a, auto... rest) {
+          radiance<kMask>(tracer, scene, a, rest...);
+        });
+      };
+      const Vec3 minimal = run.template operator()<0>();
+      const Vec3 all = run.template operator()<kAllFeatures>();
+      ASSERT_EQ(minimal, all) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Features, EachPresentOneChangesTheImage) {
+  const Blob rich = test::room({});
+  const SceneView scene{rich.data()};
+  const FrameArgs args{test::room_camera(48, 32), 48, 32, Mode::whitted, 4};
+  const auto image = [&]<u32 kMask>() {
+    std::vector<Vec3> pixels;
+    for (u32 y = 0; y < args.height; ++y)
+      for (u32 x = 0; x < args.width; ++x)
+        pixels.push_back(pixel(scene, args, x, y, [&](auto& tracer, const FrameArgs& a, auto... rest) {
+          radiance<kMask>(tracer, scene, a, rest...);
+        }));
+    return pixels;
+  };
+  const auto all = image.template operator()<kAllFeatures>();
+  EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~kFeatureSpecular>());
+  EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~kFeatureRefraction>());
+  EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~kFeatureManyLights>());
+  EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~(kFeatureReflection | kFeatureRefraction)>());
+}
+
+TEST(Whitted, DepthZeroIsShadowMode) {
+  const Blob rich = test::room({});
+  const SceneView scene{rich.data()};
+  FrameArgs whitted{test::room_camera(24, 16), 24, 16, Mode::whitted, 0};
+  FrameArgs shadow = whitted;
+  shadow.mode = Mode::shadow;
+  for (u32 y = 0; y < 16; ++y)
+    for (u32 x = 0; x < 24; ++x) {
+      const auto run = [&](auto& tracer, const FrameArgs& a, auto... rest) {
+        radiance<kAllFeatures>(tracer, scene, a, rest...);
+      };
+      ASSERT_EQ(pixel(scene, whitted, x, y, run), pixel(scene, shadow, x, y, run));
+    }
+}
+
+TEST(Spawn, ARayThatLeavesNeverMeetsItsOwnTriangle) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f), signed_unit(-1.0f, 1.0f), exponent(-4.0f, 4.0f);
+  int spawned = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const float scale = std::pow(10.0f, exponent(random));
+    const Vec3 offset =
+        Vec3{signed_unit(random), signed_unit(random), signed_unit(random)} * std::pow(10.0f, exponent(random));
+    const auto vertex = [&] {
+      return offset + Vec3{signed_unit(random), signed_unit(random), signed_unit(random)} * scale;
+    };
+    const Blob scene_blob = test::make_scene({test::triangle(vertex(), vertex(), vertex())});
+    const SceneView scene{scene_blob.data()};
+    const Corners& t = scene.corners()[0];
+    const float a = unit(random), b = unit(random) * (1.0f - a);
+    const Vec3 target = t.a + (t.b - t.a) * a + (t.c - t.a) * b;
+    const Vec3 eye = offset + Vec3{signed_unit(random), signed_unit(random), signed_unit(random)} * (4.0f * scale);
+    const Ray ray{eye, 0.0f, normalized(target - eye), kMaxFloat};
+    BruteTracer tracer{scene, nullptr};
+    const bool active = true;
+    Hit hit;
+    tracer.closest(&ray, &active, &hit);
+    if (hit.id == kMiss) continue;
+    const Surface s = surface_at<true>(scene, hit, ray.d);
+    for (int j = 0; j < 4; ++j) {
+      Vec3 d = normalized(Vec3{signed_unit(random), signed_unit(random), signed_unit(random)});
+      const Ray leaving{spawn_origin(s, d), 0.0f, d, kMaxFloat};
+      Hit again;
+      tracer.closest(&leaving, &active, &again);
+      ASSERT_EQ(again.id, kMiss) << "triangle " << k << ", distance " << again.t << ", scale " << scale;
+      ++spawned;
+    }
+  }
+  EXPECT_GT(spawned, 40000);
+}
+
+TEST(DirectBatch, IsTheSameAsOneByOne) {
+  const Blob rich = test::room({});
+  const SceneView scene{rich.data()};
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  std::uniform_int_distribution<u32> triangle(0, scene.triangle_count() - 1);
+  for (int k = 0; k < 200; ++k) {
+    HitBatch batch;
+    const bool one_material = k % 2 == 0;
+    const u32 first = triangle(random);
+    for (u32 i = 0; i < kBatch; ++i) {
+      batch.id[i] = one_material ? first : triangle(random);
+      batch.u[i] = unit(random);
+      batch.v[i] = unit(random) * (1.0f - batch.u[i]);
+      batch.d.set(i, normalized(Vec3{unit(random) - 0.5f, unit(random) - 0.5f, unit(random) - 0.5f}));
+    }
+    Vec3Batch colors;
+    unshadowed_batch(scene, batch, colors);
+    for (u32 i = 0; i < kBatch; ++i) {
+      const Hit hit{1.0f, batch.id[i], batch.u[i], batch.v[i]};
+      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(scene, hit, batch.d.get(i)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace raywalk
