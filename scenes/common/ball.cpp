@@ -106,7 +106,7 @@ void add_ball(TriangleSink& sink, const BallShape& shape, u32 material, u64 tria
   const float spacing = 1.107f / static_cast<float>(m);
 
   const auto add_vertex = [&](Vec3 direction) {
-    const SurfacePoint p = shape(direction, spacing);
+    const SurfacePoint p = sink.counts_only() ? SurfacePoint{} : shape(direction, spacing);
     return sink.add_vertex(p.position, p.normal);
   };
   u32 last = 0;

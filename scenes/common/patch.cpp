@@ -27,6 +27,7 @@ void add_patch(TriangleSink& sink, const PatchShape& shape, float aspect, u32 ma
   const bool odd = triangles % 2 != 0;
 
   const auto add_vertex = [&](double column, double row) {
+    if (sink.counts_only()) return sink.add_vertex({}, {});
     const SurfacePoint p = shape(static_cast<float>(column / static_cast<double>(columns)),
                                  static_cast<float>(row / static_cast<double>(rows)));
     return sink.add_vertex(p.position, p.normal);

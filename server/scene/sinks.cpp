@@ -22,15 +22,11 @@ void SceneSink::add_triangle(TriangleIndices triangle) {
   scene_.triangles.push_back(triangle);
 }
 
-PlySink::PlySink(const std::filesystem::path& path)
-    : path_(path),
-      vertices_(path, std::ios::binary | std::ios::trunc),
-      faces_(path, std::ios::binary | std::ios::in | std::ios::out) {
-  check(vertices_.is_open() && faces_.is_open(), "cannot be opened for writing");
-}
-
 void PlySink::begin(MeshCounts counts) {
   announced_ = counts;
+  vertices_.open(path_, std::ios::binary | std::ios::trunc);
+  faces_.open(path_, std::ios::binary | std::ios::in | std::ios::out);
+  check(vertices_.is_open() && faces_.is_open(), "cannot be opened for writing");
   vertices_ << "ply\nformat binary_little_endian 1.0\ncomment made by raywalk-generate\n"
             << "element vertex " << counts.vertices << "\n"
             << "property float x\nproperty float y\nproperty float z\n"

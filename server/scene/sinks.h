@@ -24,8 +24,8 @@ class SceneSink : public TriangleSink {
 /// counts give the place of the faces, so vertices and faces are written side by side.
 class PlySink : public TriangleSink {
  public:
-  /// Throws std::runtime_error naming the file if it cannot be written, here and in the calls below.
-  explicit PlySink(const std::filesystem::path& path);
+  /// The file is made by begin(). That and the calls below throw std::runtime_error naming it if it cannot be written.
+  explicit PlySink(std::filesystem::path path) : path_(std::move(path)) {}
   void begin(MeshCounts counts) override;
   u32 add_vertex(Vec3 position, Vec3 normal) override;
   void add_triangle(TriangleIndices triangle) override;

@@ -14,6 +14,8 @@ class TriangleSink {
   virtual ~TriangleSink() = default;
   /// Called once, first, with what will come exactly.
   virtual void begin(MeshCounts counts) = 0;
+  /// True if positions and normals are not looked at, so that they need not be worked out.
+  virtual bool counts_only() const { return false; }
   /// The index of the vertex: they are counted from 0 in the order of the calls. `normal` is a unit vector.
   virtual u32 add_vertex(Vec3 position, Vec3 normal) = 0;
   /// The vertices may come later.
@@ -24,6 +26,7 @@ class TriangleSink {
 class CountingSink : public TriangleSink {
  public:
   void begin(MeshCounts) override {}
+  bool counts_only() const override { return true; }
   u32 add_vertex(Vec3, Vec3) override { return static_cast<u32>(counts_.vertices++); }
   void add_triangle(TriangleIndices) override { ++counts_.triangles; }
   MeshCounts counts() const { return counts_; }
