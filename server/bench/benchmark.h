@@ -1,0 +1,84 @@
+// A benchmark: what is asked, what comes out, and the run between them.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/bench/errors.h"
+#include "server/bench/statistics.h"
+#include "server/catalog/scenes.h"
+#include "server/catalog/structures.h"
+#include "server/system/machine.h"
+
+namespace raywalk {
+
+enum class BenchMode { trace, primary, shadow, whitted };
+
+struct TechniqueSpec {
+  std::string structure;
+  std::string traversal;
+  GivenOptions options;
+};
+
+struct BenchmarkSpec {
+  std::string scene;
+  std::vector<TechniqueSpec> techniques;  // empty: all of the device, baselines apart
+  std::vector<BenchMode> modes;
+  u32 depth = 2;
+  u32 width = 1024, height = 1024;  // pixels
+  u32 frames = 400;
+  u32 warmup = 5;
+  u32 repeats = 1;
+  u32 error_frames = 4;
+  double time_limit_s = 3600;
+};
+
+struct ResultRow {
+  std::string structure, traversal, structure_id;
+  BenchMode mode = BenchMode::primary;
+  Statistics frame_ms;
+  double mrays_per_s = 0;
+  double rays_per_frame = 0;
+  std::optional<double> steps_per_ray, tests_per_ray;
+  std::vector<double> frame_times_ms;  // median of each measured frame
+  ErrorFigures error;
+};
+
+struct BenchmarkResult {
+  std::string created_at;  // RFC 3339 UTC
+  Machine machine;
+  ScenePtr scene;
+  std::vector<StructureRecord> structures;
+  std::vector<ResultRow> rows;
+  bool reached_time_limit = false;
+  std::vector<std::string> notes;
+};
+
+/// What a benchmark works with.
+struct Workplace {
+  Scenes& scenes;
+  Structures& structures;
+  DeviceQueue& queue;
+  const Machine& machine;
+};
+
+/// What the run tells while it goes on.
+struct BenchmarkProgress {
+  std::string stage;  // for people
+  bool validating = false;
+  double fraction = 0;  // of the whole
+  u64 frames_done = 0, frames_total = 0;
+};
+
+/// Fills in the default techniques. Throws Refusal, with pointers under /spec, for techniques that do not exist, bad
+/// options, and baselines in a mode other than trace.
+BenchmarkSpec checked(BenchmarkSpec spec, const Workplace& place);
+
+/// Loads, builds, measures alone on the device, then validates against the reference. `report` is called at least
+/// once a frame; what it throws ends the run.
+BenchmarkResult run_benchmark(const BenchmarkSpec& spec, const Workplace& place,
+                              const std::function<void(const BenchmarkProgress&)>& report);
+
+}  // namespace raywalk

@@ -1,0 +1,219 @@
+// States of jobs and their one worker.
+#include "server/bench/job_queue.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <random>
+
+#include "server/system/refusal.h"
+#include "server/system/time_text.h"
+
+namespace raywalk {
+namespace {
+
+constexpr std::chrono::milliseconds kReportInterval{100};
+
+/// Thrown out of a run when its job was cancelled or the daemon stops.
+struct Stopped {};
+
+std::string new_id(u64 number) {
+  static const u32 start = std::random_device{}();
+  char text[32];
+  std::snprintf(text, sizeof text, "j%08x-%llu", start, number);
+  return text;
+}
+
+}  // namespace
+
+JobQueue::JobQueue(Run run) : run_(std::move(run)), thread_([this] { loop(); }) {}
+
+JobQueue::~JobQueue() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  work_.notify_all();
+  changed_.notify_all();
+  thread_.join();
+}
+
+JobQueue::Submitted JobQueue::submit(BenchmarkSpec spec, const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  if (const auto known = keys_.find(key); !key.empty() && known != keys_.end()) {
+    return {snapshot(entry_of(known->second)), false};
+  }
+  const auto waiting =
+      std::count_if(entries_.begin(), entries_.end(), [](const auto& e) { return e->job.state == JobState::queued; });
+  if (static_cast<std::size_t>(waiting) >= kMaxQueued) {
+    throw Refusal(Refusal::Why::too_many, "queue_full", "Too many jobs wait; submit again when some have ended.");
+  }
+  auto entry = std::make_unique<Entry>();
+  entry->job.id = new_id(++last_id_);
+  entry->job.spec = std::move(spec);
+  entry->job.created_at = now_text();
+  entry->key = key;
+  if (!key.empty()) keys_[key] = entry->job.id;
+  entries_.push_back(std::move(entry));
+  work_.notify_one();
+  return {snapshot(*entries_.back()), true};
+}
+
+JobQueue::Entry& JobQueue::entry_of(const std::string& id) const {
+  for (const auto& entry : entries_) {
+    if (entry->job.id == id) return *entry;
+  }
+  Refusal refusal(Refusal::Why::unknown, "unknown_job", "There is no job '" + id + "'.");
+  std::vector<std::string> ids;
+  for (const auto& entry : entries_) ids.push_back(entry->job.id);
+  throw refusal.known(std::move(ids));
+}
+
+Job JobQueue::snapshot(const Entry& entry) const {
+  Job job = entry.job;
+  if (job.state == JobState::queued) {
+    for (const auto& other : entries_) {
+      if (other.get() == &entry) break;
+      job.position += !other->job.ended();
+    }
+  }
+  if ((job.state == JobState::running || job.state == JobState::validating) && job.progress > 0) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - entry.started;
+    job.eta_s = elapsed.count() * (1.0 - job.progress) / job.progress;
+  }
+  return job;
+}
+
+std::vector<Job> JobQueue::list() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Job> jobs;
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) jobs.push_back(snapshot(**entry));
+  return jobs;
+}
+
+Job JobQueue::find(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  return snapshot(entry_of(id));
+}
+
+Job JobQueue::cancel(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  Entry& entry = entry_of(id);
+  if (entry.job.state == JobState::queued) {
+    finish(entry, JobState::cancelled);
+  } else if (!entry.job.ended()) {
+    entry.cancel = true;
+  }
+  return snapshot(entry);
+}
+
+Job JobQueue::wait_for_change(const std::string& id, u64 version, std::chrono::milliseconds patience) const {
+  std::unique_lock lock(mutex_);
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (!stopping_ && entry_of(id).job.version <= version) {
+    if (changed_.wait_until(lock, deadline) == std::cv_status::timeout) break;
+  }
+  return snapshot(entry_of(id));
+}
+
+std::size_t JobQueue::queued() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<std::size_t>(
+      std::count_if(entries_.begin(), entries_.end(), [](const auto& e) { return e->job.state == JobState::queued; }));
+}
+
+void JobQueue::report(Entry& entry, const BenchmarkProgress& progress) {
+  const std::lock_guard lock(mutex_);
+  if (entry.cancel || stopping_) throw Stopped{};
+  Job& job = entry.job;
+  const JobState state = progress.validating ? JobState::validating : JobState::running;
+  const auto now = std::chrono::steady_clock::now();
+  if (state == job.state && now - entry.reported < kReportInterval) return;
+  entry.reported = now;
+  job.state = state;
+  job.stage = progress.stage;
+  job.progress = progress.fraction;
+  job.frames_done = progress.frames_done;
+  job.frames_total = progress.frames_total;
+  ++job.version;
+  changed_.notify_all();
+}
+
+void JobQueue::finish(Entry& entry, JobState state) {
+  Job& job = entry.job;
+  job.state = state;
+  job.ended_at = now_text();
+  job.stage = state == JobState::succeeded ? "done" : state == JobState::failed ? "failed" : "stopped";
+  if (state == JobState::succeeded) {
+    job.progress = 1;
+    job.frames_done = job.frames_total;
+  }
+  ++job.version;
+  changed_.notify_all();
+}
+
+void JobQueue::forget_old() {
+  auto ended = static_cast<std::size_t>(
+      std::count_if(entries_.begin(), entries_.end(), [](const auto& e) { return e->job.ended(); }));
+  for (auto entry = entries_.begin(); entry != entries_.end() && ended > kMaxEnded;) {
+    if (!(*entry)->job.ended()) {
+      ++entry;
+      continue;
+    }
+    if (!(*entry)->key.empty()) keys_.erase((*entry)->key);
+    entry = entries_.erase(entry);
+    --ended;
+  }
+}
+
+void JobQueue::work_on(Entry& entry) {
+  std::shared_ptr<const BenchmarkResult> result;
+  std::exception_ptr error;
+  bool stopped = false;
+  try {
+    result = std::make_shared<const BenchmarkResult>(
+        run_(entry.job.spec, [&](const BenchmarkProgress& progress) { report(entry, progress); }));
+  } catch (const Stopped&) {
+    stopped = true;
+  } catch (const std::exception& e) {
+    spdlog::warn("job {} failed: {}", entry.job.id, e.what());
+    error = std::current_exception();
+  }
+  const std::lock_guard lock(mutex_);
+  entry.job.result = std::move(result);
+  entry.job.error = error;
+  finish(entry, stopped ? (entry.cancel ? JobState::cancelled : JobState::interrupted)
+                : error ? JobState::failed
+                        : JobState::succeeded);
+  forget_old();
+}
+
+void JobQueue::loop() {
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    const auto next =
+        std::find_if(entries_.begin(), entries_.end(), [](const auto& e) { return e->job.state == JobState::queued; });
+    if (next == entries_.end()) {
+      work_.wait(lock);
+      continue;
+    }
+    Entry& entry = **next;
+    entry.job.state = JobState::running;
+    entry.job.stage = "starting";
+    entry.job.started_at = now_text();
+    entry.started = std::chrono::steady_clock::now();
+    ++entry.job.version;
+    changed_.notify_all();
+    lock.unlock();
+    spdlog::info("job {} started: scene={}", entry.job.id, entry.job.spec.scene);
+    work_on(entry);
+    spdlog::info("job {} ended", entry.job.id);
+    lock.lock();
+  }
+  for (const auto& entry : entries_) {
+    if (!entry->job.ended()) finish(*entry, JobState::interrupted);
+  }
+}
+
+}  // namespace raywalk

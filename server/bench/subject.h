@@ -1,0 +1,39 @@
+// One technique in one mode on one scene, as the measuring loop and the validation use it.
+#pragma once
+#include "server/bench/benchmark.h"
+#include "server/bench/measure.h"
+
+namespace raywalk {
+
+/// One row of the result in the making.
+struct Subject {
+  TechniqueSpec technique;
+  BenchMode mode = BenchMode::primary;
+  StructureRecord structure;
+
+  std::string name() const { return technique.structure + "/" + technique.traversal; }
+};
+
+/// The job of frame `frame` of `spec.frames`; mode trace is a primary one.
+FrameJob frame_job(const BenchmarkSpec& spec, const LoadedScene& scene, const Subject& subject, u32 frame);
+
+/// Which of `error_frames` evenly spaced frames: `index` of `count` among `frames`.
+u32 spaced_frame(u32 index, u32 count, u32 frames);
+
+/// Measures a subject with the device held.
+class DeviceTechnique : public Technique {
+ public:
+  DeviceTechnique(DeviceQueue::Hold& hold, const BenchmarkSpec& spec, const LoadedScene& scene, const Subject& subject)
+      : hold_(hold), spec_(spec), scene_(scene), subject_(subject) {}
+  double measure(u32 frame) override;
+
+ private:
+  DeviceQueue::Hold& hold_;
+  const BenchmarkSpec& spec_;
+  const LoadedScene& scene_;
+  const Subject& subject_;
+  Frame frame_;  // storage, used again
+  PrimaryHits hits_;
+};
+
+}  // namespace raywalk

@@ -1,0 +1,33 @@
+// Flags of the daemon.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "kernels/platform.h"
+
+namespace raywalk {
+
+struct Flags {
+  std::string host = "127.0.0.1";
+  int port = 7979;
+  std::filesystem::path port_file;  // gets the chosen port; empty: none
+  std::string device = "auto";      // auto, cpu, cuda
+  std::filesystem::path state_dir;
+  u32 threads = 0;  // 0: all processors
+  std::filesystem::path scenes_dir;
+  std::filesystem::path data_dir;
+  std::string log_level = "info";
+  bool log_json = false;
+  bool die_with_parent = false;
+};
+
+/// Reads the command line; folders have their defaults afterwards. The value is the exit code when the program should
+/// end at once (help, version, a bad flag).
+struct FlagsOrExit {
+  Flags flags;
+  std::optional<int> exit_code;
+};
+FlagsOrExit parse_flags(int argc, char** argv);
+
+}  // namespace raywalk

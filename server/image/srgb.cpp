@@ -1,0 +1,36 @@
+// sRGB transfer (IEC 61966-2-1).
+#include "server/image/srgb.h"
+
+#include <array>
+#include <cmath>
+
+namespace raywalk {
+namespace {
+
+constexpr u32 kSteps = 65535;  // in the steepest part one step is a twentieth of a level
+
+float clamped(float x) {
+  return smaller(larger(x, 0.0f), 1.0f);
+}
+
+std::array<u8, kSteps + 1> make_table() {
+  std::array<u8, kSteps + 1> table;
+  for (u32 i = 0; i <= kSteps; ++i) {
+    table[i] = static_cast<u8>(std::lround(255.0f * srgb_encoded(static_cast<float>(i) / static_cast<float>(kSteps))));
+  }
+  return table;
+}
+
+}  // namespace
+
+float srgb_encoded(float linear) {
+  const float x = clamped(linear);
+  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+}
+
+u8 srgb_byte(float linear) {
+  static const std::array<u8, kSteps + 1> table = make_table();
+  return table[static_cast<u32>(clamped(linear) * static_cast<float>(kSteps) + 0.5f)];
+}
+
+}  // namespace raywalk

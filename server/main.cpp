@@ -1,0 +1,134 @@
+// raywalkd: flags -> objects -> routes -> listen; no logic.
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+
+#include "server/api/services.h"
+#include "server/flags.h"
+#include "server/http/server.h"
+#include "server/system/shutdown.h"
+
+namespace raywalk {
+namespace {
+
+enum ExitCode { kDone = 0, kFailed = 1, kBadSetting = 2, kNoDevice = 3, kPortInUse = 4 };
+
+/// Ends the program with one sentence for the person who started it.
+struct Fatal {
+  int code;
+  std::string sentence;
+};
+
+void set_up_logging(const Flags& flags) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("raywalkd"));
+  spdlog::set_level(spdlog::level::from_str(flags.log_level));
+  spdlog::set_pattern(flags.log_json ? R"({"time":"%Y-%m-%dT%H:%M:%S.%e%z","level":"%l","message":"%v"})"
+                                     : "%Y-%m-%dT%H:%M:%S.%e %^%l%$ %v");
+}
+
+bool is_loopback(const std::string& host) {
+  return host == "localhost" || host == "::1" || host.starts_with("127.");
+}
+
+void check_flags(const Flags& flags) {
+  if (!is_loopback(flags.host)) {
+    throw Fatal{kBadSetting, "The daemon listens on loopback addresses only: '" + flags.host +
+                                 "' would be open to the network without access control."};
+  }
+  if (flags.device == "cuda") {
+    throw Fatal{kNoDevice, "This build has no GPU device; use --device cpu or --device auto."};
+  }
+  if (!std::filesystem::is_directory(flags.scenes_dir)) {
+    throw Fatal{kBadSetting,
+                "There is no folder of scenes at " + flags.scenes_dir.string() + "; name it with --scenes."};
+  }
+}
+
+std::filesystem::path make_upload_dir(const std::filesystem::path& state_dir) {
+  const std::filesystem::path dir = state_dir / "uploads";
+  std::error_code error;
+  std::filesystem::create_directories(dir, error);
+  if (error || access(dir.c_str(), W_OK | X_OK) != 0) {
+    throw Fatal{kBadSetting,
+                "The state folder " + state_dir.string() + " cannot be written; name another with --state."};
+  }
+  return dir;
+}
+
+void write_port_file(const std::filesystem::path& path, int port) {
+  if (path.empty()) return;
+  std::filesystem::path partial = path;
+  partial += ".new";
+  std::ofstream(partial) << port << '\n';
+  std::error_code error;
+  std::filesystem::rename(partial, path, error);
+  if (error) throw Fatal{kBadSetting, "The port file " + path.string() + " cannot be written."};
+}
+
+std::vector<std::string> device_warnings(const Flags& flags) {
+  if (flags.device != "auto") return {};
+  spdlog::info("device=cpu: this build has no GPU device");
+  return {"This build has no GPU device; the CPU renders."};
+}
+
+int run(const Flags& flags) {
+  check_flags(flags);
+  const std::filesystem::path upload_dir = make_upload_dir(flags.state_dir);
+
+  const std::unique_ptr<Device> device = open_cpu_device(flags.threads);
+  DeviceQueue queue(*device);
+  Structures structures(queue, device->kinds());
+  Scenes scenes(flags.scenes_dir, flags.data_dir,
+                [&](const std::string& name, const ScenePtr& now) { structures.evict_scene(name, now); });
+  const Machine machine = describe_machine(device->name(), device->threads());
+  JobQueue jobs([&](const BenchmarkSpec& spec, const auto& report) {
+    return run_benchmark(spec, {scenes, structures, queue, machine}, report);
+  });
+
+  const http::Contract contract(http::embedded_contract());
+  api::Metrics metrics;
+  const http::ServerConfig config{.host = flags.host, .port = flags.port, .upload_dir = upload_dir};
+  api::Services services{contract, config.limits, machine,    flags.device, device_warnings(flags),
+                         queue,    scenes,        structures, jobs,         metrics};
+  http::Server server(config, http::Router(contract, api::routes(services)),
+                      [&](const http::Exchange& exchange) { metrics.observe(exchange); });
+
+  const int port = server.bind();
+  write_port_file(flags.port_file, port);
+  const ShutdownWatch watch([&] { server.stop(); });
+  std::printf("listening on http://%s:%d\n", flags.host.c_str(), port);
+  std::fflush(stdout);
+  spdlog::info("device=\"{}\" threads={} commit={}", machine.device, machine.threads, machine.git_commit);
+  server.serve();
+  spdlog::info("stopped");
+  return kDone;
+}
+
+}  // namespace
+}  // namespace raywalk
+
+int main(int argc, char** argv) {
+  using namespace raywalk;
+  const auto [flags, exit_code] = parse_flags(argc, argv);
+  if (exit_code) return *exit_code;
+  block_shutdown_signals();  // before any thread starts
+  if (flags.die_with_parent) prctl(PR_SET_PDEATHSIG, SIGTERM);
+  set_up_logging(flags);
+  try {
+    return run(flags);
+  } catch (const Fatal& fatal) {
+    std::fprintf(stderr, "raywalkd: %s\n", fatal.sentence.c_str());
+    return fatal.code;
+  } catch (const http::PortInUse& e) {
+    std::fprintf(stderr, "raywalkd: %s\n", e.what());
+    return kPortInUse;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "raywalkd: %s\n", e.what());
+    return kFailed;
+  }
+}
