@@ -7,7 +7,7 @@
 #define RW_HOST_FN __host__ __device__ __forceinline__
 #else
 #define RW_GPU 0
-#define RW_FN inline
+#define RW_FN inline __attribute__((always_inline))
 #define RW_HOST_FN inline
 #endif
 

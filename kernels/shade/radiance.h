@@ -42,7 +42,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
   }
 
   if (args.mode == Mode::primary) {
-    Hit hits[kLocal];
+    Hit hits[kLocal]{};
     tracer.closest(rays, alive, hits);
     for (u32 i = 0; i < kLocal; ++i)
       if (alive[i]) color[i] = unshadowed<kFeatures>(scene, hits[i], rays[i].d);
@@ -50,10 +50,10 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
   }
 
   for (;;) {
-    Hit hits[kLocal];
+    Hit hits[kLocal]{};
     tracer.closest(rays, alive, hits);
 
-    Surface surfaces[kLocal];
+    Surface surfaces[kLocal]{};
     bool lit[kLocal];
     for (u32 i = 0; i < kLocal; ++i) {
       lit[i] = alive[i] && hits[i].id != kMiss;
@@ -70,7 +70,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
       const Light& light = scene.lights()[l];
       Vec3 contribution[kLocal];
       bool wanted[kLocal];
-      Ray shadow[kLocal];
+      Ray shadow[kLocal]{};
       for (u32 i = 0; i < kLocal; ++i) {
         wanted[i] = false;
         if (!lit[i]) continue;
