@@ -68,7 +68,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
 
     for (u32 l = 0; l < lights; ++l) {
       const Light& light = scene.lights()[l];
-      Vec3 contribution[kLocal];
+      Vec3 contribution[kLocal]{};
       bool wanted[kLocal];
       Ray shadow[kLocal]{};
       for (u32 i = 0; i < kLocal; ++i) {
