@@ -96,6 +96,12 @@ def test_frame(client, daemon) -> None:
     assert frame.array()[1, 3, 2] == 23
 
 
+def test_packed_rays_are_finite() -> None:
+    rays = np.frombuffer(pack_rays([(0, 0, 1)], (0, 0, -1)), "<f4")
+    assert np.isfinite(rays).all()
+    assert rays[7] == np.finfo(np.float32).max
+
+
 def test_frame_of_the_wrong_length(client, daemon) -> None:
     headers = {"Content-Type": "application/octet-stream"}
     daemon.on("POST", "/v1/frames", httpx2.Response(200, content=b"1234", headers=headers))

@@ -11,16 +11,9 @@ from typing import Literal
 from raywalk.client import Client
 from raywalk.errors import RaywalkError
 from raywalk.places import daemon_program, data_dir
+from raywalk.techniques import STANDARD
 
 PACKAGES = ("httpx2", "numpy", "pillow", "pydantic", "rich", "typer")
-TECHNIQUES = (
-    "grid/dda",
-    "kdtree/short-stack-3",
-    "kdtree/short-stack-2",
-    "bvh/packet",
-    "bvh/while-while",
-    "embree/intersect",
-)
 
 
 @dataclass(frozen=True)
@@ -106,7 +99,7 @@ def server_findings(client: Client) -> list[Finding]:
     else:
         advice = "./run setup, then ./run build"
         findings.append(Finding("warn", "Embree", "missing: no independent reference, errors are ours alone", advice))
-    if missing := [name for name in TECHNIQUES if name not in offered and name != "embree/intersect"]:
+    if missing := [name for name in STANDARD if name not in offered and name != "embree/intersect"]:
         findings.append(Finding("fail", "techniques", f"missing: {', '.join(missing)}", "./run build"))
     else:
         findings.append(Finding("ok", "techniques", ", ".join(sorted(offered))))

@@ -5,13 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw, ImageFilter, ImageFont
 
 from raywalk.heat import heat
 
 PAPER, INK, FAINT = (18, 20, 26), (236, 238, 242), (140, 148, 160)
 ACCENT, GOOD = (250, 168, 40), (110, 200, 120)
 MARGIN, GAP, TITLE, LABEL = 28, 12, 92, 44
+GROWN = 9  # pixels to a side
 DIFFERENCE_FULL = 1 / 16  # of the range of sRGB values: the lightest colour of the difference map
 
 
@@ -50,7 +51,8 @@ def contact_sheet(
             draw.text((left, top + 4), fitted(draw, name, font(15), tile), INK, font(15))
             draw.text((left, top + 24), fitted(draw, caption, font(12), tile), FAINT, font(12))
             sheet.paste(image.resize((tile, height), Image.Resampling.LANCZOS), (left, top + LABEL))
-    verdict = "every pixel is the same in all images" if same else "lightest difference: 16/255 and more"
+    same_text, other_text = "every pixel is the same in all images", "pixels that differ are drawn larger than they are"
+    verdict = same_text if same else other_text
     draw.text((MARGIN, bottom + 6), f"compared with {reference}: {verdict}", GOOD if same else FAINT, font(15))
     draw.text((MARGIN, bottom + LABEL + 14), f"walkthrough, {len(walk)} of its frames", ACCENT, font(15))
     sheet.paste(strip, (MARGIN, bottom + 2 * LABEL))
@@ -87,8 +89,14 @@ def difference_row(panels: Sequence[Panel], reference: str) -> list[Tile]:
             continue
         difference = np.abs(panel.image.astype(float) / 255 - base).max(axis=2)
         caption = f"{int((difference > 0).sum())} pixels differ, by {255 * difference.max():.0f}/255 at most"
-        tiles.append((Image.fromarray(heat(difference, DIFFERENCE_FULL)), "difference", caption))
+        tiles.append((Image.fromarray(heat(grown(difference), DIFFERENCE_FULL)), "difference", caption))
     return tiles
+
+
+def grown(difference: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Every pixel takes the largest difference around it, so that a single one can be seen in a small tile."""
+    levels = Image.fromarray(np.round(255 * difference).astype(np.uint8))
+    return np.asarray(levels.filter(ImageFilter.MaxFilter(GROWN))) / 255
 
 
 def blank(panel: Panel) -> Image.Image:

@@ -12,6 +12,7 @@ CHANNELS = {"color": 3, "normal": 3, "depth": 1, "id": 1, "steps": 2}
 HIT = np.dtype([("t", "<f4"), ("id", "<u4"), ("u", "<f4"), ("v", "<f4")])
 MISS = 0xFFFFFFFF
 RAY_BYTES = 32
+FARTHEST = float(np.finfo(np.float32).max)  # an infinite tmax would make a ray invalid
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ def server_timing(header: str) -> dict[str, float]:
     return {name: float(duration) for name, duration in found}
 
 
-def pack_rays(origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf) -> bytes:
+def pack_rays(origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike = 0.0, tmax: ArrayLike = FARTHEST) -> bytes:
     """Rays in the form of the wire from (n, 3) origins and directions; the rest is broadcast."""
     origins = np.atleast_2d(np.asarray(origins, "<f4"))
     rays = np.empty((len(origins), 8), "<f4")

@@ -4,6 +4,15 @@ from collections.abc import Iterable
 
 from raywalk.models import Kind, Technique
 
+# The study's four, the per-ray BVH and Embree, by their wire names.
+STANDARD = (
+    "grid/dda",
+    "kdtree/short-stack-3",
+    "kdtree/short-stack-2",
+    "bvh/packet",
+    "bvh/while-while",
+    "embree/intersect",
+)
 ORACLE = "brute"  # the linear loop: right, and a thousand times too slow for a walkthrough
 
 

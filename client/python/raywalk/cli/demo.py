@@ -18,12 +18,16 @@ from raywalk.techniques import measured
 
 MODES = ["primary", "shadow", "whitted"]
 SHOWN_MODE = "whitted"
+FRAMES, LIMIT_S = 24, 40.0  # without --frames
 
 
 def demo(
     context: typer.Context,
     scene: Annotated[str, typer.Option(help="Name of a scene.")] = "bunny",
-    frames: Annotated[int, typer.Option(min=1, max=100000, help="Frames of the walkthrough.")] = 12,
+    frames: Annotated[
+        int | None,
+        typer.Option(min=1, max=100000, help=f"Frames of the walkthrough; {FRAMES}, or as many as fit, when absent."),
+    ] = None,
     size_: Annotated[str, typer.Option("--size", help="Pixels.", metavar="WxH")] = "512x512",
     out: Annotated[Path, typer.Option(help="Folder for tables, result and images.")] = Path("out/demo"),
 ) -> None:
@@ -45,20 +49,22 @@ def demo(
         build_all(client, scene, techniques)
         spec = BenchmarkSpec.model_validate(
             {"scene": scene, "techniques": techniques, "modes": MODES, "width": width, "height": height}
-            | {"frames": frames, "warmup": 1}
+            | {"frames": frames or FRAMES, "warmup": 1}
+            | ({} if frames else {"time_limit_s": LIMIT_S})
         )
         with job_bar(scene, width * height, console) as progress:
             result = benchmark(client, spec, progress)
         (folder / "results.json").write_text(result_json(result))
         tables = {1: table1([result]), 2: table2([result])}
         write_tables(tables, folder, "md")
-        with bar("images", frames, console) as progress:
+        count = spec.frames or FRAMES
+        with bar("images", count, console) as progress:
             walk = render_walk(
                 client,
                 result,
                 SHOWN_MODE,
                 images,
-                lambda done: progress.update(done, frames, f"{progress.rate(done):.1f} frames/s"),
+                lambda done: progress.update(done, count, f"{progress.rate(done):.1f} frames/s"),
             )
             progress.update(0, None, what="contact sheet")
             sheet_of(client, result, SHOWN_MODE, walk).save(folder / "contact-sheet.png")

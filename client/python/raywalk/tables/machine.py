@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from raywalk.models import BenchmarkResult, BenchmarkSpec, Machine
+from raywalk.techniques import STANDARD
 
 
 def techniques_of(spec: BenchmarkSpec) -> str:
@@ -11,10 +12,10 @@ def techniques_of(spec: BenchmarkSpec) -> str:
 
 
 def command_of(spec: BenchmarkSpec) -> str:
-    """The command that runs this benchmark again."""
+    """The command that runs this benchmark again; the standard techniques need no naming."""
     words = ["raywalk bench", spec.scene, f"--frames {spec.frames}", f"--size {spec.width}x{spec.height}"]
     words.append(f"--modes {','.join(spec.modes or [])}")
-    if spec.techniques:
+    if spec.techniques and set(techniques_of(spec).split(",")) != set(STANDARD):
         words.append(f"--techniques {techniques_of(spec)}")
     if spec.depth != 2:
         words.append(f"--depth {spec.depth}")
