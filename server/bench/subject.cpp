@@ -1,7 +1,18 @@
 // Frames of a walkthrough for one technique.
 #include "server/bench/subject.h"
 
+#include <sstream>
+
 namespace raywalk {
+
+std::string Subject::name() const {
+  std::ostringstream text;
+  text << technique.structure << '/' << technique.traversal;
+  for (const auto& [option, value] : technique.options) {
+    std::visit([&, &key = option](const auto& shown) { text << ' ' << key << '=' << shown; }, value);
+  }
+  return text.str();
+}
 
 FrameJob frame_job(const BenchmarkSpec& spec, const LoadedScene& scene, const Subject& subject, u32 frame) {
   FrameJob job;

@@ -11,7 +11,8 @@ struct Subject {
   BenchMode mode = BenchMode::primary;
   StructureRecord structure;
 
-  std::string name() const { return technique.structure + "/" + technique.traversal; }
+  /// <structure>/<traversal>, and the options that differ from the defaults.
+  std::string name() const;
 };
 
 /// The job of frame `frame` of `spec.frames`; mode trace is a primary one.

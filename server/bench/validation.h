@@ -15,7 +15,7 @@ struct Validation {
   bool counts_work = true;  // false: rays alone are known
 };
 
-/// The technique that `subject` is compared with: embree/intersect, and bvh/while-while for Embree itself.
+/// The technique that `subject` is compared with: watertight Embree, and bvh/while-while for Embree itself.
 TechniqueSpec reference_of(const TechniqueSpec& technique);
 
 /// Compares `error_frames` evenly spaced frames of every subject. `references` has a structure for each reference
