@@ -24,7 +24,7 @@ struct TechniqueSpec {
 
 struct BenchmarkSpec {
   std::string scene;
-  std::vector<TechniqueSpec> techniques;  // empty: all of the device, baselines apart
+  std::vector<TechniqueSpec> techniques;  // empty: all of the device but baselines and brute
   std::vector<BenchMode> modes;
   u32 depth = 2;
   u32 width = 1024, height = 1024;  // pixels

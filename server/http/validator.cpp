@@ -79,6 +79,14 @@ void make_whole_numbers_integers(Json& value) {
   }
 }
 
+/// `document` is what references point into.
+void compile(const Json& document, const Json& schema, valijson::Schema& compiled) {
+  Json root = document;
+  root["allOf"] = Json::array({schema});
+  const valijson::adapters::NlohmannJsonAdapter adapter(root);
+  valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(adapter, compiled);
+}
+
 }  // namespace
 
 struct Validator::Impl {
@@ -108,6 +116,36 @@ struct Validator::Impl {
     return nullptr;
   }
 
+  /// The alternative that shares most fields with the value: what its sender had in mind.
+  const Json& likeliest(const Json& alternatives, const Json& value) const {
+    const Json* best = &alternatives.front();
+    int most = -1;
+    for (const Json& candidate : alternatives) {
+      const Json properties = resolve(candidate).value("properties", Json::object());
+      int shared = 0;
+      if (value.is_object()) {
+        for (const auto& [name, unused] : value.items()) shared += properties.contains(name);
+      }
+      if (shared > most) {
+        most = shared;
+        best = &candidate;
+      }
+    }
+    return *best;
+  }
+
+  /// The schema with each anyOf replaced by its likeliest alternative, so that offences are of that one alone.
+  Json narrowed(const Json& node, const Json& value) const {
+    const Json& s = resolve(node);
+    if (s.contains("anyOf")) return narrowed(likeliest(s.at("anyOf"), value), value);
+    if (!value.is_object() || !s.contains("properties")) return s;
+    Json out = s;
+    for (auto& [name, property] : out["properties"].items()) {
+      if (value.contains(name)) property = narrowed(property, value.at(name));
+    }
+    return out;
+  }
+
   void fill(const Json& node, Json& value) const {
     const Json& s = resolve(node);
     if (s.contains("anyOf")) {
@@ -129,10 +167,7 @@ struct Validator::Impl {
 Validator::Validator(const Json& document, const Json& schema) : impl_(std::make_unique<Impl>()) {
   impl_->document = {{"components", document.value("components", Json::object())}};
   impl_->schema = schema;
-  Json root = impl_->document;
-  root["allOf"] = Json::array({schema});
-  const valijson::adapters::NlohmannJsonAdapter adapter(root);
-  valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(adapter, impl_->compiled);
+  compile(impl_->document, schema, impl_->compiled);
 }
 
 Validator::~Validator() = default;
@@ -141,27 +176,24 @@ Validator& Validator::operator=(Validator&&) noexcept = default;
 
 std::vector<Refusal::Offence> Validator::check(const Json& value) const {
   valijson::Validator validator(valijson::Validator::kStrongTypes);
-  valijson::ValidationResults results;
   const valijson::adapters::NlohmannJsonAdapter adapter(value);
-  if (validator.validate(impl_->compiled, adapter, &results)) return {};
+  if (validator.validate(impl_->compiled, adapter, nullptr)) return {};
 
-  std::vector<Refusal::Offence> all, deepest;
+  // Refused requests are rare: they may cost a schema of their own, for clear words.
+  valijson::Schema narrowed;
+  compile(impl_->document, impl_->narrowed(impl_->schema, value), narrowed);
+  valijson::ValidationResults results;
+  validator.validate(narrowed, adapter, &results);
+  std::vector<Refusal::Offence> offences;
   std::set<std::pair<std::string, std::string>> seen;
   for (const auto& error : results) {
     if (is_summary(error.description)) continue;
     Refusal::Offence offence = offence_of(error);
-    if (seen.emplace(offence.pointer, offence.detail).second) all.push_back(std::move(offence));
-    if (all.size() == kMaxOffences) break;
+    if (seen.emplace(offence.pointer, offence.detail).second) offences.push_back(std::move(offence));
+    if (offences.size() == kMaxOffences) break;
   }
-  for (const Refusal::Offence& offence : all) {
-    const bool refined = offence.detail.starts_with("Failed to validate against any") &&
-                         std::any_of(all.begin(), all.end(), [&](const Refusal::Offence& other) {
-                           return other.pointer.starts_with(offence.pointer) && other.detail != offence.detail;
-                         });
-    if (!refined) deepest.push_back(offence);
-  }
-  if (deepest.empty()) deepest.push_back({"", "The value does not match its schema."});
-  return deepest;
+  if (offences.empty()) offences.push_back({"", "The value does not match its schema."});
+  return offences;
 }
 
 void Validator::fill_defaults(Json& value) const {

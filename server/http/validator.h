@@ -17,7 +17,8 @@ class Validator {
   Validator(Validator&&) noexcept;
   Validator& operator=(Validator&&) noexcept;
 
-  /// Every offence with its JSON pointer, the deepest ones only; none when the value is valid.
+  /// Every offence with its JSON pointer, at most 32; none when the value is valid. A missing field is an offence of
+  /// the object that lacks it.
   std::vector<Refusal::Offence> check(const Json& value) const;
 
   /// Adds the default of every absent property that has one, at any depth. `value` is valid.

@@ -28,9 +28,10 @@ float srgb_encoded(float linear) {
   return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
 }
 
-u8 srgb_byte(float linear) {
+void srgb_bytes(std::span<const float> linear, u8* bytes) {
   static const std::array<u8, kSteps + 1> table = make_table();
-  return table[static_cast<u32>(clamped(linear) * static_cast<float>(kSteps) + 0.5f)];
+  for (const float value : linear)
+    *bytes++ = table[static_cast<u32>(clamped(value) * static_cast<float>(kSteps) + 0.5f)];
 }
 
 }  // namespace raywalk

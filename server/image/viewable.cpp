@@ -90,7 +90,7 @@ std::vector<u8> viewable(const Frame& frame, Output output) {
   switch (output) {
     case Output::color: {
       std::vector<u8> bytes(frame.pixels.size());
-      std::transform(frame.pixels.begin(), frame.pixels.end(), bytes.begin(), srgb_byte);
+      srgb_bytes(frame.pixels, bytes.data());
       return bytes;
     }
     case Output::normal:
