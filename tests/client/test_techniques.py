@@ -51,3 +51,12 @@ def test_bare_loops_have_their_own_job(client, daemon, result, spec, jobs) -> No
     assert [[one["traversal"] for one in job["techniques"]] for job in sent] == jobs
     assert sent[-1]["modes"] == (["trace"] if len(jobs) == 2 else spec["modes"])
     assert len(got.rows) == len(jobs) * len(result.rows)
+
+
+def test_a_result_outlives_its_bare_loops(client, daemon, result) -> None:
+    daemon.on("GET", "/v1/kinds", KINDS)
+    daemon.on("POST", "/v1/jobs", JOB | {"state": "succeeded", "result": "r1"}, JOB | {"state": "failed"})
+    daemon.on("GET", "/v1/results/r1", result.model_dump(mode="json"))
+    got = measure(client, BenchmarkSpec(scene="bunny", modes=["trace"]), lambda _: None)
+    assert got.rows == result.rows
+    assert got.notes[-1].startswith("The bare loops are missing: the benchmark of bunny ended as failed")

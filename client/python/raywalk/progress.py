@@ -26,7 +26,7 @@ LINE_EVERY_S = 5.0
 
 def messages() -> Console:
     """Where progress and messages go; results go to stdout."""
-    return Console(file=sys.stderr, highlight=False)
+    return Console(file=sys.stderr, highlight=False, soft_wrap=True)
 
 
 class Bar:
