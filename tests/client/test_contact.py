@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PIL import Image
-from raywalk.contact import DIFFERENCE_FULL, Panel, contact_sheet, difference_row, steps_row
+from raywalk.contact import DIFFERENCE_FULL, Panel, Reference, contact_sheet, difference_row, steps_row
 from raywalk.heat import STOPS, heat
 
 
@@ -26,7 +26,7 @@ def test_heat_runs_from_dark_to_light() -> None:
 
 def test_sheet_has_a_column_for_each_technique(panels) -> None:
     walk = [Image.new("RGB", (48, 32), (10, 200, 10))] * 4
-    sheet = contact_sheet("title", "machine", panels, "embree/intersect", walk, tile=120)
+    sheet = contact_sheet("title", "machine", panels, Reference("embree", panels[1].image), walk, tile=120)
     assert sheet.width == 2 * 28 + 2 * 120 + 12
     assert (10, 200, 10) in {colour for _, colour in sheet.getcolors(1 << 24)}
 
@@ -34,14 +34,15 @@ def test_sheet_has_a_column_for_each_technique(panels) -> None:
 def test_sheet_of_equal_images_has_no_row_of_differences(panels) -> None:
     walk = [Image.new("RGB", (48, 32))]
     equal = [Panel(panel.name, "", panels[1].image, panel.steps) for panel in panels]
-    tall, short = (contact_sheet("t", "m", chosen, "bvh/packet", walk, tile=120) for chosen in (panels, equal))
+    reference = Reference("embree", panels[1].image)
+    tall, short = (contact_sheet("t", "m", chosen, reference, walk, tile=120) for chosen in (panels, equal))
     assert tall.height - short.height == 80 + 44 + 12
 
 
 def test_difference_is_counted(panels) -> None:
-    (tile, _, caption), (_, name, _) = difference_row(panels, "embree/intersect")
+    (tile, _, caption), (_, _, same) = difference_row(panels, Reference("embree", panels[1].image))
     assert caption == "1 pixels differ, by 5/255 at most"
-    assert name == "reference"
+    assert same == "none"
     expected = heat(np.array([[5 / 255]]), DIFFERENCE_FULL)[0, 0]
     assert np.asarray(tile)[3, 4].tolist() == expected.tolist()
 

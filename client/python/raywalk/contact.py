@@ -26,17 +26,29 @@ class Panel:
     steps: NDArray[np.float32] | None
 
 
+@dataclass
+class Reference:
+    """What every image is compared with."""
+
+    name: str
+    image: NDArray[np.uint8]
+
+
 def contact_sheet(
-    title: str, subtitle: str, panels: Sequence[Panel], reference: str, walk: Sequence[Image.Image], tile: int = 248
+    title: str,
+    subtitle: str,
+    panels: Sequence[Panel],
+    reference: Reference,
+    walk: Sequence[Image.Image],
+    tile: int = 248,
 ) -> Image.Image:
-    """Images, steps and (if there are any) differences in one column a technique, then a strip of the walkthrough.
-    `reference` names the panel that the others are compared with."""
+    """Images, steps and (if there are any) differences in one column a technique, then a strip of the walkthrough."""
     columns = len(panels)
     height = round(tile * panels[0].image.shape[0] / panels[0].image.shape[1])
     width = 2 * MARGIN + columns * tile + (columns - 1) * GAP
     strip = strip_of(walk, width - 2 * MARGIN)
     rows = [image_row(panels), steps_row(panels)]
-    same = all(np.array_equal(panel.image, panels[0].image) for panel in panels)
+    same = all(np.array_equal(panel.image, reference.image) for panel in panels)
     if not same:
         rows.append(difference_row(panels, reference))
     bottom = TITLE + len(rows) * (LABEL + height + GAP)
@@ -53,7 +65,7 @@ def contact_sheet(
             sheet.paste(image.resize((tile, height), Image.Resampling.LANCZOS), (left, top + LABEL))
     same_text, other_text = "every pixel is the same in all images", "pixels that differ are drawn larger than they are"
     verdict = same_text if same else other_text
-    draw.text((MARGIN, bottom + 6), f"compared with {reference}: {verdict}", GOOD if same else FAINT, font(15))
+    draw.text((MARGIN, bottom + 6), f"compared with {reference.name}: {verdict}", GOOD if same else FAINT, font(15))
     draw.text((MARGIN, bottom + LABEL + 14), f"walkthrough, {len(walk)} of its frames", ACCENT, font(15))
     sheet.paste(strip, (MARGIN, bottom + 2 * LABEL))
     return sheet
@@ -80,15 +92,12 @@ def steps_row(panels: Sequence[Panel]) -> list[Tile]:
     return tiles
 
 
-def difference_row(panels: Sequence[Panel], reference: str) -> list[Tile]:
-    base = next(panel.image for panel in panels if panel.name == reference).astype(float) / 255
+def difference_row(panels: Sequence[Panel], reference: Reference) -> list[Tile]:
     tiles = []
     for panel in panels:
-        if panel.name == reference:
-            tiles.append((blank(panel), "reference", "the others are compared with it"))
-            continue
-        difference = np.abs(panel.image.astype(float) / 255 - base).max(axis=2)
-        caption = f"{int((difference > 0).sum())} pixels differ, by {255 * difference.max():.0f}/255 at most"
+        difference = np.abs(panel.image.astype(float) - reference.image.astype(float)).max(axis=2) / 255
+        count = int((difference > 0).sum())
+        caption = f"{count} pixels differ, by {255 * difference.max():.0f}/255 at most" if count else "none"
         tiles.append((Image.fromarray(heat(grown(difference), DIFFERENCE_FULL)), "difference", caption))
     return tiles
 

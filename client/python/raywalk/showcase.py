@@ -7,16 +7,16 @@ import numpy as np
 from PIL import Image
 
 from raywalk.client import Client
-from raywalk.contact import Panel, contact_sheet
+from raywalk.contact import Panel, Reference, contact_sheet
 from raywalk.errors import ProblemError
+from raywalk.follow import built
 from raywalk.images import opened
 from raywalk.models import BenchmarkResult, FrameRequest, PathFrame, ResultRow
 from raywalk.tables.machine import machine_line
 from raywalk.tables.table2 import technique
 
-RAW = "application/octet-stream"
+RAW, PNG = "application/octet-stream", "image/png"
 WALK_TILES = 8
-REFERENCE = "embree/intersect"
 
 
 def row_of(result: BenchmarkResult, name: str, mode: str) -> ResultRow | None:
@@ -46,7 +46,7 @@ def render_walk(
     """Every frame of the benchmark's walkthrough by the fastest technique, as frames/NNNN.png."""
     name, paths = fastest(result, mode), []
     for frame in range(result.spec.frames or 1):
-        got = client.render_frame(request_of(result, name, frame, mode=mode), "image/png")
+        got = client.render_frame(request_of(result, name, frame, mode=mode), PNG)
         paths.append(folder / f"{frame:04}.png")
         paths[-1].write_bytes(got.content)
         on_frame(frame + 1)
@@ -54,7 +54,7 @@ def render_walk(
 
 
 def panel_of(client: Client, result: BenchmarkResult, name: str, mode: str) -> Panel:
-    image = opened(client.render_frame(request_of(result, name, 0, mode=mode), "image/png").content)
+    image = opened(client.render_frame(request_of(result, name, 0, mode=mode), PNG).content)
     row = row_of(result, name, mode)
     caption = f"{row.frame_ms.mean:.1f} ms a frame, {row.mrays_per_s:.2f} Mrays/s" if row else ""
     return Panel(name, caption, np.asarray(image), steps_of(client, result, name))
@@ -71,12 +71,21 @@ def steps_of(client: Client, result: BenchmarkResult, name: str) -> np.ndarray |
         return None
 
 
+def reference_of(client: Client, result: BenchmarkResult, mode: str) -> Reference | None:
+    """The first frame by watertight Embree, which shares no code with our structures; None where it is missing."""
+    try:
+        structure = built(client, result.spec.scene, "embree", {"robust": "on"})
+        request = request_of(result, "embree/intersect", 0, mode=mode).model_copy(update={"structure": structure.id})
+        return Reference("embree/intersect robust=on", np.asarray(opened(client.render_frame(request, PNG).content)))
+    except ProblemError:
+        return None
+
+
 def sheet_of(client: Client, result: BenchmarkResult, mode: str, walk: list[Path]) -> Image.Image:
     """The contact sheet of a result whose walkthrough was rendered."""
-    names = names_of(result)
-    reference = REFERENCE if REFERENCE in names else names[0]
     chosen = [walk[round(k)] for k in np.linspace(0, len(walk) - 1, min(WALK_TILES, len(walk)))]
     scene = result.scene
     title = f"Raywalk: {scene.title}, {scene.triangles:,} triangles ({scene.fidelity}), rays: {mode}"
-    panels = [panel_of(client, result, name, mode) for name in names]
+    panels = [panel_of(client, result, name, mode) for name in names_of(result)]
+    reference = reference_of(client, result, mode) or Reference(panels[0].name, panels[0].image)
     return contact_sheet(title, machine_line([result]), panels, reference, [Image.open(path) for path in chosen])
