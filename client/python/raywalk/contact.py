@@ -12,6 +12,7 @@ from raywalk.heat import heat
 PAPER, INK, FAINT = (18, 20, 26), (236, 238, 242), (140, 148, 160)
 ACCENT, GOOD = (250, 168, 40), (110, 200, 120)
 MARGIN, GAP, TITLE, LABEL = 28, 12, 92, 44
+FEWEST = 6  # places in the strip of the walkthrough
 GROWN = 9  # pixels to a side
 DIFFERENCE_FULL = 1 / 16  # of the range of sRGB values: the lightest colour of the difference map
 
@@ -113,8 +114,8 @@ def blank(panel: Panel) -> Image.Image:
 
 
 def strip_of(images: Sequence[Image.Image], width: int) -> Image.Image:
-    """Images side by side, as wide as the sheet."""
-    count = max(1, len(images))
+    """Images side by side over the width of the sheet; a few of them stay small."""
+    count = max(FEWEST, len(images))
     each = (width - (count - 1) * GAP) // count
     height = round(each * images[0].height / images[0].width) if images else 1
     strip = Image.new("RGB", (width, height), PAPER)
