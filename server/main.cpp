@@ -1,5 +1,4 @@
 // raywalkd: flags -> objects -> routes -> listen; no logic.
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -11,6 +10,7 @@
 #include "server/api/services.h"
 #include "server/flags.h"
 #include "server/http/server.h"
+#include "server/system/logging.h"
 #include "server/system/shutdown.h"
 
 namespace raywalk {
@@ -23,13 +23,6 @@ struct Fatal {
   int code;
   std::string sentence;
 };
-
-void set_up_logging(const Flags& flags) {
-  spdlog::set_default_logger(spdlog::stderr_color_mt("raywalkd"));
-  spdlog::set_level(spdlog::level::from_str(flags.log_level));
-  spdlog::set_pattern(flags.log_json ? R"({"time":"%Y-%m-%dT%H:%M:%S.%e%z","level":"%l","message":"%v"})"
-                                     : "%Y-%m-%dT%H:%M:%S.%e %^%l%$ %v");
-}
 
 bool is_loopback(const std::string& host) {
   return host == "localhost" || host == "::1" || host.starts_with("127.");
@@ -118,7 +111,7 @@ int main(int argc, char** argv) {
   if (exit_code) return *exit_code;
   block_shutdown_signals();  // before any thread starts
   if (flags.die_with_parent) prctl(PR_SET_PDEATHSIG, SIGTERM);
-  set_up_logging(flags);
+  set_up_logging(flags.log_level, flags.log_json);
   try {
     return run(flags);
   } catch (const Fatal& fatal) {

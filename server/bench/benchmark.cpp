@@ -42,7 +42,9 @@ std::vector<Subject> make_subjects(const BenchmarkSpec& spec, const ScenePtr& sc
     const double fraction = kBuildPart * done++ / static_cast<double>(spec.techniques.size());
     report({"building " + technique.structure, false, fraction, 0, 0});
     const StructureRecord structure = place.structures.build_and_wait(scene, technique.structure, technique.options);
-    for (const BenchMode mode : spec.modes) subjects.push_back({technique, mode, structure});
+    const KindInfo& kind = kind_named(place.structures.kinds(), technique.structure, "");
+    const bool baseline = traversal_named(kind, technique.traversal, "").baseline;
+    for (const BenchMode mode : spec.modes) subjects.push_back({technique, mode, structure, baseline});
   }
   return subjects;
 }

@@ -10,6 +10,7 @@ struct Subject {
   TechniqueSpec technique;
   BenchMode mode = BenchMode::primary;
   StructureRecord structure;
+  bool baseline = false;  // its rays are known, its work cannot be counted
 
   /// <structure>/<traversal>, and the options that differ from the defaults.
   std::string name() const;

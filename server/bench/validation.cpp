@@ -49,6 +49,18 @@ void add(Counts& sum, const Counts& counts) {
   sum.tests += counts.tests;
 }
 
+void count_work(const Subject& subject, const FrameJob& job, DeviceQueue& queue, Validation& out) {
+  if (subject.baseline) {
+    out.counts.rays += u64{job.width} * job.height;
+    out.counts_work = false;
+    return;
+  }
+  queue.run([&](Device& device) {
+    add(out.counts, device.count(job));
+    out.counts_work = device.can_count(subject.technique.structure);
+  });
+}
+
 const Subject& reference_for(const Subject& subject, std::span<const Subject> references) {
   const TechniqueSpec wanted = reference_of(subject.technique);
   for (const Subject& reference : references) {
@@ -98,10 +110,7 @@ std::vector<Validation> validate(const BenchmarkSpec& spec, const LoadedScene& s
         queue.run([&](Device& device) { device.render(job, image); });
         compare_images(reference_frame.image(subject.mode), image.pixels, error);
       }
-      queue.run([&](Device& device) {
-        add(out[s].counts, device.count(job));
-        out[s].counts_work = device.can_count(subject.technique.structure);
-      });
+      count_work(subject, job, queue, out[s]);
     }
   }
   return out;

@@ -209,17 +209,12 @@ ScenePtr Scenes::upload(const std::string& name, const std::filesystem::path& fi
 }
 
 void Scenes::evict(const std::string& name) {
+  find(name);
   {
     const std::lock_guard lock(mutex_);
     const auto slot = slots_.find(name);
-    if (slot != slots_.end() && is_ready(slot->second->scene)) {
-      slots_.erase(slot);
-    } else if (slot == slots_.end()) {
-      const std::vector<SceneInfo> all = list_scenes(scenes_dir_, data_dir_);
-      if (std::any_of(all.begin(), all.end(), [&](const SceneInfo& i) { return i.name == name; })) return;
-    } else {
-      return;  // being loaded: it will be there for those who asked
-    }
+    if (slot == slots_.end() || !is_ready(slot->second->scene)) return;  // while it is loaded somebody waits for it
+    slots_.erase(slot);
   }
   on_change_(name, nullptr);
 }

@@ -5,9 +5,11 @@
 #include "server/http/server.h"
 
 #include <httplib.h>
+#include <poll.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <random>
 
@@ -18,7 +20,9 @@
 namespace raywalk::http {
 namespace {
 
-constexpr std::size_t kDrainBytes = std::size_t{16} << 20;
+constexpr std::string_view kMethods = "GET, HEAD, POST, PUT, DELETE";
+constexpr std::size_t kSmallBody = std::size_t{64} << 10;
+constexpr std::chrono::seconds kLinger{5};
 
 std::string new_request_id() {
   static std::atomic<std::uint64_t> counter{0};
@@ -30,6 +34,18 @@ std::string new_request_id() {
 
 /// Set while a worker answers a request whose body it has not read to the end: the connection cannot be used again.
 thread_local bool close_connection_after_answer = false;
+
+/// A client that still sends its body would lose the answer if the connection were reset: what it sends is thrown away
+/// for a while.
+void discard_rest(socket_t socket) {
+  shutdown(socket, SHUT_WR);
+  const auto end = std::chrono::steady_clock::now() + kLinger;
+  std::array<char, 65536> buffer;
+  while (std::chrono::steady_clock::now() < end) {
+    pollfd waiting{socket, POLLIN, 0};
+    if (poll(&waiting, 1, 1000) <= 0 || recv(socket, buffer.data(), buffer.size(), 0) <= 0) return;
+  }
+}
 
 class HttpServer : public httplib::Server {
  private:
@@ -47,6 +63,7 @@ class HttpServer : public httplib::Server {
           closed = closed || close_connection_after_answer;
           return ok;
         });
+    if (close_connection_after_answer) discard_rest(socket);
     httplib::detail::shutdown_socket(socket);
     httplib::detail::close_socket(socket);
     return result;
@@ -149,12 +166,10 @@ struct Server::Impl {
     return match.entry->handler(request);
   }
 
-  /// Reads what is left of a body so that the client, still sending, can read the answer; a large rest ends the
-  /// connection.
-  static void drain(const Reader& reader) {
-    std::size_t total = 0;
-    const bool finished = reader([&](const char*, std::size_t size) { return (total += size) <= kDrainBytes; });
-    close_connection_after_answer = !finished;
+  /// A small body that nobody wanted is read, to keep the connection; after a large one it ends.
+  static void skip_body(const httplib::Request& in, const Reader& reader) {
+    const bool small = !in.has_header("Transfer-Encoding") && in.get_header_value_u64("Content-Length") <= kSmallBody;
+    close_connection_after_answer = !small || !reader([](const char*, std::size_t) { return true; });
   }
 
   void answer(const httplib::Request& in, httplib::Response& out, const Reader* reader) {
@@ -177,7 +192,7 @@ struct Server::Impl {
                                   has_control_characters(in.path) ? "" : in.path, request.id);
       if (response.status == 405) response.headers["Allow"] = router.allowed_methods(in.path);
     }
-    if (body_waits && !started) drain(*reader);
+    if (body_waits && !started) skip_body(in, *reader);
     if (started && !ended) close_connection_after_answer = true;
     write(std::move(response), request.id, out);
     if (out.status >= 400 || spdlog::should_log(spdlog::level::debug)) log(in, out.status, request.id, begin);
@@ -215,7 +230,14 @@ struct Server::Impl {
   static void answer_unrouted(const httplib::Request& in, httplib::Response& out) {
     if (!out.body.empty() || out.has_header("X-Request-Id")) return;
     const std::string id = new_request_id();
-    const Problem problem{out.status, "bad_request", "The request could not be read as HTTP."};
+    close_connection_after_answer = true;  // where the next request would begin is not known
+    Problem problem{out.status, "bad_request", "The request could not be read as HTTP."};
+    const bool odd_method = !in.method.empty() && kMethods.find(in.method) == std::string_view::npos;
+    if (out.status == 400 && odd_method) {
+      problem = {405, "method_not_allowed", "No path takes this method."};
+      out.status = 405;
+      out.set_header("Allow", std::string(kMethods));
+    }
     const Response response = problem_response(problem, has_control_characters(in.path) ? "" : in.path, id);
     out.set_header("X-Request-Id", id);
     out.set_content(response.body, response.content_type);
@@ -251,7 +273,7 @@ struct Server::Impl {
     http.set_expect_100_continue_handler([this](const httplib::Request& in, httplib::Response&) {
       return in.get_header_value_u64("Content-Length") > config.limits.upload_bytes ? 413 : 100;
     });
-    http.set_payload_max_length(std::max(config.limits.upload_bytes, config.limits.rays_bytes) + kDrainBytes);
+    http.set_payload_max_length(std::max(config.limits.upload_bytes, config.limits.rays_bytes) + 1);
     http.set_read_timeout(std::chrono::seconds(10));
     http.set_write_timeout(std::chrono::seconds(10));
     http.set_keep_alive_timeout(5);
