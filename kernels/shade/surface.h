@@ -8,6 +8,7 @@ namespace raywalk {
 struct Surface {
   Vec3 position;
   Vec3 error;             // bound of the rounding error of position, per component
+  float slack;            // how far beside its plane the triangle test may still see the triangle
   Vec3 geometric_normal;  // unit, by the winding
   Vec3 normal;            // unit, interpolated, on the side that the ray came from
   bool front;             // the ray came from the side that the geometric normal points to
@@ -22,6 +23,9 @@ RW_FN Surface surface_of(Vec3 a, Vec3 b, Vec3 c, float u, float v, Vec3 interpol
   Surface s;
   s.position = pa + pb + pc;
   s.error = (magnitude(pa) + magnitude(pb) + magnitude(pc)) * 4.1723263e-7f;  // gamma(7), Pharr et al., PBR 3.9.4
+  // The triangle test rounds vertices relative to the ray's origin, here at most an edge away: 16 units of 2^-24.
+  s.slack =
+      9.5367432e-7f * larger(largest(magnitude(c - b)), larger(largest(magnitude(b - a)), largest(magnitude(c - a))));
   s.geometric_normal = normalized(cross(b - a, c - a));
   s.front = dot(d, s.geometric_normal) <= 0.0f;
   const float squared = dot(interpolated, interpolated);
@@ -48,13 +52,13 @@ RW_FN Surface surface_at(SceneView scene, const Hit& hit, Vec3 d) {
   return surface_of(t.a, t.b, t.c, hit.u, hit.v, interpolated, d, indices.material);
 }
 
-/// Start of a ray that leaves towards `d`: moved along the geometric normal past the position's error and then outward
-/// by the last bit, so that the ray cannot meet its own surface (Pharr et al., PBR 3.9.5).
+/// Start of a ray that leaves towards `d`: moved along the geometric normal past the error of the position (Pharr et
+/// al., PBR 3.9.5) and that of the triangle test, and then outward by the last bit, so that the ray cannot meet its own
+/// surface.
 RW_FN Vec3 spawn_origin(const Surface& s, Vec3 d) {
   const bool outward = dot(d, s.geometric_normal) > 0.0f;
   const Vec3 n = outward ? s.geometric_normal : -s.geometric_normal;
-  const float distance = dot(magnitude(n), s.error);
-  const Vec3 p = fma(distance, n, s.position);
+  const Vec3 p = fma(dot(magnitude(n), s.error) + s.slack, n, s.position);
   const auto away = [](float value, float direction) {
     if (direction == 0.0f || value == 0.0f) return value;
     return float_of(bits_of(value) + ((value > 0.0f) == (direction > 0.0f) ? 1u : 0xffffffffu));

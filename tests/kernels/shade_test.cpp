@@ -105,40 +105,65 @@ TEST(Whitted, DepthZeroIsShadowMode) {
     }
 }
 
-TEST(Spawn, ARayThatLeavesNeverMeetsItsOwnTriangle) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<float> unit(0.0f, 1.0f), signed_unit(-1.0f, 1.0f), exponent(-4.0f, 4.0f);
-  int spawned = 0;
-  for (int k = 0; k < 20000; ++k) {
-    const float scale = std::pow(10.0f, exponent(random));
-    const Vec3 offset =
-        Vec3{signed_unit(random), signed_unit(random), signed_unit(random)} * std::pow(10.0f, exponent(random));
-    const auto vertex = [&] {
-      return offset + Vec3{signed_unit(random), signed_unit(random), signed_unit(random)} * scale;
-    };
-    const Blob scene_blob = test::make_scene({test::triangle(vertex(), vertex(), vertex())});
-    const SceneView scene{scene_blob.data()};
-    const Corners& t = scene.corners()[0];
-    const float a = unit(random), b = unit(random) * (1.0f - a);
-    const Vec3 target = t.a + (t.b - t.a) * a + (t.c - t.a) * b;
-    const Vec3 eye = offset + Vec3{signed_unit(random), signed_unit(random), signed_unit(random)} * (4.0f * scale);
-    const Ray ray{eye, 0.0f, normalized(target - eye), kMaxFloat};
-    BruteTracer tracer{scene, nullptr};
-    const bool active = true;
-    Hit hit;
-    tracer.closest(&ray, &active, &hit);
-    if (hit.id == kMiss) continue;
-    const Surface s = surface_at<true>(scene, hit, ray.d);
-    for (int j = 0; j < 4; ++j) {
-      Vec3 d = normalized(Vec3{signed_unit(random), signed_unit(random), signed_unit(random)});
-      const Ray leaving{spawn_origin(s, d), 0.0f, d, kMaxFloat};
-      Hit again;
-      tracer.closest(&leaving, &active, &again);
-      ASSERT_EQ(again.id, kMiss) << "triangle " << k << ", distance " << again.t << ", scale " << scale;
-      ++spawned;
-    }
+/// Spawns rays from random points of `t`, seen from around it; returns how many left without meeting it again.
+int spawn_from(const Corners& t, test::Random& random) {
+  const Blob blob = test::make_scene({t});
+  const SceneView scene{blob.data()};
+  const float scale = length(t.b - t.a) + length(t.c - t.a);
+  const auto direction = [&] {
+    return normalized(Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+  };
+  const float a = random.uniform(0, 1), b = random.uniform(0, 1) * (1.0f - a);
+  const Vec3 target = t.a + (t.b - t.a) * a + (t.c - t.a) * b;
+  const Ray ray = [&] {
+    const Vec3 d = direction();
+    return Ray{target - d * scale, 0.0f, d, kMaxFloat};
+  }();
+  BruteTracer tracer{scene, nullptr};
+  const bool active = true;
+  Hit hit;
+  tracer.closest(&ray, &active, &hit);
+  if (hit.id == kMiss) return 0;
+  const Surface s = surface_at<true>(scene, hit, ray.d);
+  int left = 0;
+  for (int j = 0; j < 8; ++j) {
+    Vec3 d = direction();
+    if (j % 2) d = normalized(d - s.geometric_normal * (dot(d, s.geometric_normal) * 0.999f));  // grazing
+    const Ray leaving{spawn_origin(s, d), 0.0f, d, kMaxFloat};
+    Hit again;
+    tracer.closest(&leaving, &active, &again);
+    EXPECT_EQ(again.id, kMiss) << "at distance " << again.t << ", scale " << scale;
+    left += again.id == kMiss;
   }
-  EXPECT_GT(spawned, 40000);
+  return left;
+}
+
+TEST(Spawn, ARayThatLeavesNeverMeetsItsOwnTriangle) {
+  test::Random random(7);
+  int left = 0;
+  for (int k = 0; k < 20000 && !HasFailure(); ++k) {
+    const float scale = std::pow(10.0f, random.uniform(-4, 4));
+    const auto point = [&] { return Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
+    const Vec3 offset = point() * std::pow(10.0f, random.uniform(-4, 4));
+    left += spawn_from(test::triangle(offset + point() * scale, offset + point() * scale, offset + point() * scale),
+                       random);
+  }
+  EXPECT_GT(left, 60000);
+}
+
+TEST(Spawn, NorDoesOneThatLeavesACoordinatePlane) {
+  test::Random random(8);
+  int left = 0;
+  for (int k = 0; k < 20000 && !HasFailure(); ++k) {
+    const u32 axis = static_cast<u32>(k) % 3;
+    const float height = k % 2 ? 0.0f : random.uniform(-10, 10);
+    const auto point = [&] {
+      const float u = random.uniform(-20, 20), v = random.uniform(-20, 20);
+      return axis == 0 ? Vec3{height, u, v} : axis == 1 ? Vec3{u, height, v} : Vec3{u, v, height};
+    };
+    left += spawn_from(test::triangle(point(), point(), point()), random);
+  }
+  EXPECT_GT(left, 60000);
 }
 
 TEST(DirectBatch, IsTheSameAsOneByOne) {

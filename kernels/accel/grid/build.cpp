@@ -66,7 +66,7 @@ void choose_resolution(const Config& config, u32 triangles, Header& grid) {
     }
   }
   for (u32 axis = 0; axis < 3; ++axis) {
-    const double wanted = thin[axis] ? 1.0 : std::round(2.0 * double{grid.frame.half[axis]} / size);
+    const double wanted = thin[axis] ? 1.0 : std::ceil(2.0 * double{grid.frame.half[axis]} / size);
     const u32 chosen = static_cast<u32>(std::clamp(wanted, 1.0, static_cast<double>(kMaxResolution)));
     grid.resolution[axis] = config.resolution[axis] != 0 ? config.resolution[axis] : chosen;
   }

@@ -91,6 +91,7 @@ class CpuDevice final : public Device {
   }
 
   Counts count(const FrameJob& job) override {
+    if (loop_of(job.structure->kind(), job.traversal)) return {u64{job.width} * job.height, 0, 0};
     const CpuStructure& structure = structure_of(job.structure);
     const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
     const FrameArgs args = args_of(job);
