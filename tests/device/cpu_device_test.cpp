@@ -250,9 +250,26 @@ TEST_F(CpuDevice, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(device().render(blind, frame), std::invalid_argument);
 }
 
-TEST_F(CpuDevice, AllStructuresSeeTheSameBunny) {
+std::filesystem::path bunny_file() {
   const char* data = std::getenv("RAYWALK_SCENE_DATA");
-  const std::filesystem::path file = std::filesystem::path(data ? data : "scenes/data") / "bunny" / "bun_zipper.ply";
+  return std::filesystem::path(data ? data : "scenes/data") / "bunny" / "bun_zipper.ply";
+}
+
+TEST_F(CpuDevice, GridOfTheBunnyHasTheStudysReferences) {
+  const std::filesystem::path file = bunny_file();
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original bunny is not at " << file;
+  const SceneBlob scene = std::make_shared<const Blob>(pack(load_mesh(file)));
+  BuildOptions options;
+  const auto by_density = device().build(scene, "grid", options);
+  EXPECT_EQ(by_density->stats().leaves, 83u * 82u * 64u);
+  options = {{"resolution_x", 83}, {"resolution_y", 82}, {"resolution_z", 64}};
+  EXPECT_NEAR(static_cast<double>(device().build(scene, "grid", options)->stats().references), 256964, 256.9);
+  options["insertion"] = 1;
+  EXPECT_NEAR(static_cast<double>(device().build(scene, "grid", options)->stats().references), 208711, 208.7);
+}
+
+TEST_F(CpuDevice, AllStructuresSeeTheSameBunny) {
+  const std::filesystem::path file = bunny_file();
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original bunny is not at " << file;
   const SceneBlob scene = std::make_shared<const Blob>(pack(load_mesh(file)));
   const Box bounds = scene->header<SceneHeader>().bounds;
