@@ -194,20 +194,28 @@ TEST_F(CpuDevice, OutputsFollowFromThePrimaryHits) {
   }
 }
 
-TEST_F(CpuDevice, BareLoopsHitAsOftenAsTheTraversal) {
+TEST_F(CpuDevice, BareLoopsHitWhatTheTraversalHits) {
   const SceneBlob scene = std::make_shared<const Blob>(test::make_scene(test::icosphere(3)));
   FrameJob job = room_job(device().build(scene, "embree", {}), "intersect", Mode::primary);
   job.camera = {{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 45};
-  const auto hit_count = [&](const std::string& traversal) {
+  const auto hits_of = [&](const std::string& traversal) {
     job.traversal = traversal;
     PrimaryHits primary;
     device().trace_primary(job, primary);
-    return std::count_if(primary.hits.begin(), primary.hits.end(), [](const Hit& h) { return h.id != kMiss; });
+    EXPECT_EQ(device().count(job).rays, u64{job.width} * job.height);
+    return primary.hits;
   };
-  const auto expected = hit_count("intersect");
-  EXPECT_GT(expected, 500);
-  EXPECT_NEAR(static_cast<double>(hit_count("loop-1")), static_cast<double>(expected), 2.0);
-  EXPECT_NEAR(static_cast<double>(hit_count("loop-8")), static_cast<double>(expected), 2.0);
+  const std::vector<Hit> expected = hits_of("intersect");
+  for (const char* loop : {"loop-1", "loop-8"}) {
+    const std::vector<Hit> hits = hits_of(loop);
+    size_t different = 0, met = 0;
+    for (size_t i = 0; i < hits.size(); ++i) {
+      different += hits[i].id != expected[i].id;
+      met += hits[i].id != kMiss;
+    }
+    EXPECT_GT(met, 500u);
+    EXPECT_LE(different, 4u) << loop;  // packets and single rays may differ at an edge
+  }
 }
 
 TEST_F(CpuDevice, InvalidRaysMissEverywhere) {

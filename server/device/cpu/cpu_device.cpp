@@ -166,10 +166,8 @@ class CpuDevice final : public Device {
   void trace_bare(const BareLoop& loop, const FrameJob& job, const CpuStructure& structure, PrimaryHits& result) {
     const FrameArgs args = args_of(job);
     const Stopwatch watch;
-    runner_.over_tiles(job.width, job.height, [&](Tile tile) {
-      loop.trace(structure.handle(), args, tile,
-                 result.hits.data() + u64{tile.y0} * job.width + u64{tile.x0} * (tile.y1 - tile.y0));
-    });
+    runner_.over_tiles(job.width, job.height,
+                       [&](Tile tile) { loop.trace(structure.handle(), args, tile, result.hits.data()); });
     result.trace_ms = watch.ms();
   }
 

@@ -30,7 +30,7 @@ class CpuStructure : public Structure {
 /// A loop that generates primary rays and traces them, nothing else: the ceiling of an engine.
 struct BareLoop {
   std::string_view name, help;
-  /// Hits of a tile in its own order.
+  /// Hits of a tile into the frame's `hits` (width * height, rows top down).
   void (*trace)(const void* structure, const FrameArgs& args, Tile tile, Hit* hits);
 };
 

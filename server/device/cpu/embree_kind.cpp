@@ -162,8 +162,8 @@ void loop_1(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) 
       one.ray = {r.o.x, r.o.y, r.o.z, r.tmin, r.d.x, r.d.y, r.d.z, 0.0f, r.tmax, 0xffffffffu, 0, 0};
       one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       embree::intersect(scene_of(structure), &one);
-      *hits++ = {one.ray.tfar, one.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kMiss : one.hit.primID, one.hit.u,
-                 one.hit.v};
+      const u32 id = one.hit.geomID == RTC_INVALID_GEOMETRY_ID ? kMiss : one.hit.primID;
+      hits[u64{y} * args.width + x] = {one.ray.tfar, id, one.hit.u, one.hit.v};
     }
   }
 }
@@ -183,8 +183,10 @@ void loop_8(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) 
           packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         }
         embree::Packet<kPacket>::intersect(valid, scene_of(structure), embree::Coherence::coherent, &packet);
-        for (u32 i = 0; i < kPacket; ++i)
-          if (valid[i]) *hits++ = embree::hit_of(packet, i);
+        for (u32 i = 0; i < kPacket; ++i) {
+          if (!valid[i]) continue;
+          hits[u64{by + block_y(first + i)} * args.width + bx + block_x(first + i)] = embree::hit_of(packet, i);
+        }
       }
     }
   }
