@@ -23,9 +23,9 @@ std::array<u8, kSteps + 1> make_table() {
 
 }  // namespace
 
-float srgb_encoded(float linear) {
+float srgb_encoded(float linear) {  // written so that 1 becomes 1 exactly
   const float x = clamped(linear);
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+  return x <= 0.0031308f ? 12.92f * x : 1.0f - 1.055f * (1.0f - std::pow(x, 1.0f / 2.4f));
 }
 
 void srgb_bytes(std::span<const float> linear, u8* bytes) {

@@ -1,0 +1,122 @@
+// Options, ids, one build a key, eviction under use.
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "server/catalog/structures.h"
+#include "server/system/refusal.h"
+#include "tests/server/fake_device.h"
+
+namespace raywalk {
+namespace {
+
+using namespace std::chrono_literals;
+
+ScenePtr scene_named(const std::string& name) {
+  auto scene = std::make_shared<LoadedScene>();
+  scene->info.name = name;
+  scene->info.triangles = 3;
+  scene->blob = std::make_shared<const Blob>(Blob(64));
+  return scene;
+}
+
+std::string code_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Refusal& refusal) {
+    return refusal.code();
+  }
+  return "none";
+}
+
+class StructuresTest : public testing::Test {
+ protected:
+  test::FakeDevice device_;
+  DeviceQueue queue_{device_};
+  Structures structures_{queue_, device_.kinds()};
+  ScenePtr scene_ = scene_named("a");
+};
+
+TEST(BuildOptions, DefaultsRangesAndChoices) {
+  test::FakeDevice device;
+  const KindInfo& kind = device.kinds()[0];
+  EXPECT_EQ(complete_options(kind, {}, "").at("bins"), 32);
+  EXPECT_EQ(complete_options(kind, {{"split", "middle"}}, "").at("split"), 1);
+  const auto code = [&](GivenOptions given) { return code_of([&] { complete_options(kind, given, ""); }); };
+  EXPECT_EQ(code({{"bins", 1.0}}), "invalid_option");
+  EXPECT_EQ(code({{"bins", 2.5}}), "invalid_option");
+  EXPECT_EQ(code({{"bins", "many"}}), "invalid_option");
+  EXPECT_EQ(code({{"split", 1.0}}), "invalid_option");
+  EXPECT_EQ(code({{"split", "other"}}), "invalid_option");
+  EXPECT_EQ(code({{"speed", 1.0}}), "unknown_option");
+}
+
+TEST(BuildOptions, IdsNameOptionsThatAreNotTheDefault) {
+  test::FakeDevice device;
+  const KindInfo& kind = device.kinds()[0];
+  const auto id = [&](GivenOptions given) { return structure_id("s", kind, complete_options(kind, given, "")); };
+  EXPECT_EQ(id({}), "s.bvh");
+  EXPECT_EQ(id({{"bins", 32.0}}), "s.bvh");
+  EXPECT_EQ(id({{"bins", 16.0}}).size(), std::string("s.bvh.01234567").size());
+  EXPECT_NE(id({{"bins", 16.0}}), id({{"bins", 17.0}}));
+}
+
+TEST_F(StructuresTest, OneBuildAKey) {
+  device_.build_time = 30ms;
+  std::vector<std::future<StructureRecord>> records;
+  for (int i = 0; i < 8; ++i) {
+    records.push_back(std::async(std::launch::async, [&] { return structures_.build_and_wait(scene_, "bvh", {}); }));
+  }
+  StructurePtr first;
+  for (auto& record : records) {
+    const StructurePtr structure = record.get().structure;
+    ASSERT_TRUE(structure);
+    if (!first) first = structure;
+    EXPECT_EQ(structure, first);
+  }
+  EXPECT_EQ(device_.builds, 1);
+}
+
+TEST_F(StructuresTest, StatesAreTold) {
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh"); }), "structure_not_built");
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "octree"); }), "unknown_kind");
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "b.bvh"); }), "foreign_structure");
+  EXPECT_EQ(code_of([&] { structures_.find("a.bvh"); }), "unknown_structure");
+  device_.build_time = 50ms;
+  EXPECT_EQ(structures_.build(scene_, "bvh", {}).state, StructureRecord::State::building);
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh"); }), "structure_not_built");
+  structures_.build_and_wait(scene_, "bvh", {});
+  EXPECT_TRUE(structures_.ready(scene_, "bvh"));
+  EXPECT_TRUE(structures_.ready(scene_, "a.bvh"));
+}
+
+TEST_F(StructuresTest, AFailedBuildIsTriedAgain) {
+  device_.fail_builds = true;
+  EXPECT_THROW(structures_.build_and_wait(scene_, "bvh", {}), std::runtime_error);
+  EXPECT_EQ(structures_.find("a.bvh").error, "it fell over");
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh"); }), "structure_not_built");
+  device_.fail_builds = false;
+  EXPECT_EQ(structures_.build_and_wait(scene_, "bvh", {}).state, StructureRecord::State::ready);
+}
+
+TEST_F(StructuresTest, EvictionLeavesWhatIsInUse) {
+  structures_.build_and_wait(scene_, "bvh", {});
+  const StructurePtr used = structures_.ready(scene_, "bvh");
+  structures_.evict("a.bvh");
+  EXPECT_EQ(code_of([&] { structures_.evict("a.bvh"); }), "unknown_structure");
+  EXPECT_EQ(used->stats().references, 3u);
+  EXPECT_EQ(used.use_count(), 1);
+}
+
+TEST_F(StructuresTest, AReplacedSceneTakesItsStructuresAlong) {
+  structures_.build_and_wait(scene_, "bvh", {});
+  const ScenePtr newer = scene_named("a");
+  EXPECT_EQ(code_of([&] { structures_.ready(newer, "bvh"); }), "structure_not_built");
+  structures_.build_and_wait(newer, "embree", {});
+  structures_.evict_scene("a", newer);
+  EXPECT_EQ(structures_.list().size(), 1u);
+  EXPECT_TRUE(structures_.ready(newer, "embree"));
+}
+
+}  // namespace
+}  // namespace raywalk
