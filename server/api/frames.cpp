@@ -68,7 +68,8 @@ Response render_frame(Services& s, const Request& r) {
   std::unique_lock<std::mutex> one_at_a_time;
   if (u64{job.width} * job.height > kLargeFramePixels) one_at_a_time = std::unique_lock(s.large_frame);
 
-  Frame frame;
+  FramePool::Lease lease = s.frames.lease();
+  Frame& frame = lease.frame();
   double queue_ms = 0;
   s.queue.run([&](Device& device) { device.render(job, frame); }, &queue_ms);
   s.metrics.add_frame(frame.trace_ms);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "server/api/frame_pool.h"
 #include "server/api/metrics.h"
 #include "server/bench/job_queue.h"
 #include "server/catalog/scenes.h"
@@ -28,6 +29,7 @@ struct Services {
   JobQueue& jobs;
   Metrics& metrics;
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+  FramePool frames = {};
   std::mutex large_frame = {};  // one frame of many pixels is in memory at a time
 };
 

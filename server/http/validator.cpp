@@ -175,7 +175,7 @@ Validator::Validator(Validator&&) noexcept = default;
 Validator& Validator::operator=(Validator&&) noexcept = default;
 
 std::vector<Refusal::Offence> Validator::check(const Json& value) const {
-  valijson::Validator validator(valijson::Validator::kStrongTypes);
+  thread_local valijson::Validator validator(valijson::Validator::kStrongTypes);  // keeps compiled patterns
   const valijson::adapters::NlohmannJsonAdapter adapter(value);
   if (validator.validate(impl_->compiled, adapter, nullptr)) return {};
 

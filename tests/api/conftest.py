@@ -76,7 +76,9 @@ class Daemon:
             time.sleep(0.02)
         pytest.fail(f"{path} did not get there: {value}")
 
-    def frame(self, scene: str, structure: str, traversal: str, accept: str = "image/jpeg", **more: Any) -> httpx2.Response:
+    def frame(
+        self, scene: str, structure: str, traversal: str, accept: str = "image/jpeg", **more: Any
+    ) -> httpx2.Response:
         body = {"scene": scene, "structure": structure, "traversal": traversal, "width": 64, "height": 48, **more}
         return self.client.post("/v1/frames", json=body, headers={"Accept": accept})
 
@@ -163,9 +165,7 @@ def ply(triangles: int, declared: int | None = None) -> bytes:
         f"ply\nformat binary_little_endian 1.0\nelement vertex {3 * count}\nproperty float x\nproperty float y\n"
         f"property float z\nelement face {count}\nproperty list uchar int vertex_indices\nend_header\n"
     )
-    vertices = b"".join(
-        struct.pack("<9f", 2 * i, 0, 0, 2 * i + 1, 0, 0, 2 * i, 1, 0) for i in range(triangles)
-    )
+    vertices = b"".join(struct.pack("<9f", 2 * i, 0, 0, 2 * i + 1, 0, 0, 2 * i, 1, 0) for i in range(triangles))
     faces = b"".join(struct.pack("<B3i", 3, 3 * i, 3 * i + 1, 3 * i + 2) for i in range(triangles))
     return header.encode() + vertices + faces
 

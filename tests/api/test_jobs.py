@@ -9,7 +9,12 @@ import pytest
 from tests.api.conftest import Daemon, events_of, pointers
 
 SMALL = {"scene": "soup", "width": 64, "height": 64, "frames": 6, "warmup": 1, "error_frames": 2}
-LONG = {**SMALL, "frames": 100_000, "modes": ["primary"], "techniques": [{"structure": "bvh", "traversal": "while-while"}]}
+LONG = {
+    **SMALL,
+    "frames": 100_000,
+    "modes": ["primary"],
+    "techniques": [{"structure": "bvh", "traversal": "while-while"}],
+}
 
 
 def test_job_to_result(daemon: Daemon, soup: str) -> None:
@@ -103,8 +108,10 @@ def test_events(daemon: Daemon, soup: str) -> None:
         ({"modes": []}, 422, "invalid_request", {"/spec/modes"}),
         ({"modes": ["fast"]}, 422, "invalid_request", {"/spec/modes/0"}),
         ({"techniques": [{"structure": "bvh"}]}, 422, "invalid_request", {"/spec/techniques/0"}),
-        ({"techniques": [{"structure": "octree", "traversal": "x"}]}, 404, "unknown_kind", {"/spec/techniques/0/structure"}),
-        ({"techniques": [{"structure": "bvh", "traversal": "x"}]}, 404, "unknown_traversal", {"/spec/techniques/0/traversal"}),
+        ({"techniques": [{"structure": "octree", "traversal": "x"}]}, 404, "unknown_kind",
+         {"/spec/techniques/0/structure"}),
+        ({"techniques": [{"structure": "bvh", "traversal": "x"}]}, 404, "unknown_traversal",
+         {"/spec/techniques/0/traversal"}),
         ({"techniques": [{"structure": "bvh", "traversal": "packet", "options": {"x": 1}}]}, 422, "unknown_option",
          {"/spec/techniques/0/options/x"}),
     ],

@@ -79,7 +79,12 @@ def test_small_uploads_render(daemon: Daemon, triangles: int, packed: bool) -> N
     for kind in kinds:
         structure = daemon.build("tiny", kind)
         assert structure["state"] == "ready", structure
-    for kind, traversal in (("bvh", "while-while"), ("grid", "dda"), ("kdtree", "short-stack-3"), ("embree", "intersect")):
+    for kind, traversal in (
+        ("bvh", "while-while"),
+        ("grid", "dda"),
+        ("kdtree", "short-stack-3"),
+        ("embree", "intersect"),
+    ):
         frame = daemon.frame("tiny", kind, traversal)
         assert frame.status_code == 200, frame.text
     assert daemon.client.delete("/v1/scenes/tiny").status_code == 204
@@ -88,7 +93,14 @@ def test_small_uploads_render(daemon: Daemon, triangles: int, packed: bool) -> N
 
 @pytest.mark.parametrize(
     "data",
-    [b"", b"not a mesh", ply(3)[:-5], ply(3, declared=1000), ply(1).replace(b"face 1", b"face -1"), gzip.compress(ply(3))[:-20]],
+    [
+        b"",
+        b"not a mesh",
+        ply(3)[:-5],
+        ply(3, declared=1000),
+        ply(1).replace(b"face 1", b"face -1"),
+        gzip.compress(ply(3))[:-20],
+    ],
     ids=["empty", "text", "truncated", "lying", "negative", "truncated gzip"],
 )
 def test_bad_uploads(daemon: Daemon, data: bytes) -> None:
@@ -101,7 +113,9 @@ def test_bad_uploads(daemon: Daemon, data: bytes) -> None:
 def test_upload_rules(daemon: Daemon) -> None:
     data = ply(1)
     daemon.problem("PUT", "/v1/scenes/bunny", 409, "scene_name_taken", content=data, headers=BINARY)
-    daemon.problem("PUT", "/v1/scenes/x", 415, "unsupported_media_type", content=data, headers={"Content-Type": "text/plain"})
+    daemon.problem(
+        "PUT", "/v1/scenes/x", 415, "unsupported_media_type", content=data, headers={"Content-Type": "text/plain"}
+    )
     daemon.problem("PUT", "/v1/scenes/Upper", 400, "invalid_parameter", content=data, headers=BINARY)
     assert daemon.client.put("/v1/scenes/twice", content=data, headers=BINARY).json()["triangles"] == 1
     assert daemon.client.put("/v1/scenes/twice", content=ply(2), headers=BINARY).json()["triangles"] == 2

@@ -23,12 +23,11 @@ def fresh_daemon(tmp_path: Path) -> Iterator[Daemon]:
 def run(daemon: Daemon, examples: int, phases: str) -> None:
     daemon.load("soup", triangles=200)
     daemon.build("soup", "bvh")
-    command = [
-        sys.executable, "-c", "from schemathesis.cli import schemathesis; schemathesis()",
-        "--config-file", str(ROOT / "tests" / "api" / "schemathesis.toml"), "run", str(ROOT / "proto" / "openapi.yaml"), "--url", f"http://127.0.0.1:{daemon.port}",
-        "--max-examples", str(examples), "--phases", phases, "--seed", SEED, "--generation-deterministic", "--request-timeout", "30",
-        "--no-color",
-    ]  # fmt: skip
+    command = [sys.executable, "-c", "from schemathesis.cli import schemathesis; schemathesis()"]
+    command += ["--config-file", str(ROOT / "tests" / "api" / "schemathesis.toml")]
+    command += ["run", str(ROOT / "proto" / "openapi.yaml"), "--url", f"http://127.0.0.1:{daemon.port}"]
+    command += ["--max-examples", str(examples), "--phases", phases, "--seed", SEED, "--generation-deterministic"]
+    command += ["--request-timeout", "30", "--no-color"]
     environment = {**os.environ, "NO_COLOR": "1", "COLUMNS": "160"}
     ended = subprocess.run(command, capture_output=True, text=True, timeout=900, env=environment, cwd=ROOT / "proto")
     assert ended.returncode == 0, ended.stdout[-8000:] + ended.stderr[-2000:]
