@@ -13,7 +13,7 @@
 namespace raywalk::test {
 
 inline std::filesystem::path scenes_dir() {
-  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() / "scenes";
+  return RAYWALK_SCENES_DIR;
 }
 
 class Folder {
