@@ -73,16 +73,23 @@ def job_bar(what: str, rays_per_frame: int, console: Console | None = None) -> I
 
 
 class JobBar:
-    """Shows a job's stage, frames and rate; primary rays are counted."""
+    """Shows a job's stage, frames and rate while it measures, the compared frames while it compares; primary rays are
+    counted."""
 
     def __init__(self, inner: Bar, what: str, rays_per_frame: int):
         self._bar, self._what, self._rays = inner, what, rays_per_frame
+        self._job = ""
         self._first: tuple[float, int] | None = None
+        self._compare_from: float | None = None  # progress of the job when comparing began
 
     def __call__(self, job: Job) -> None:
+        if job.id != self._job:
+            self._job, self._first, self._compare_from = job.id, None, None
+        if job.state == "validating":
+            return self._compare(job)
         done, total = job.frames_done or 0, job.frames_total
         note = ""
-        if done:
+        if done and job.state == "running":
             now = time.monotonic()
             self._first = self._first or (now, done)
             if done > self._first[1]:
@@ -90,6 +97,15 @@ class JobBar:
                 note = f"{rate:.1f} frames/s  {rate * self._rays / 1e6:.2f} Mrays/s"
         stage = job.stage if job.state != "queued" else f"queued behind {job.position}"
         self._bar.update(done, total, note, f"{self._what}: {stage}")
+
+    def _compare(self, job: Job) -> None:
+        """The job tells its progress alone: what is left of it is shared evenly by the frames to compare."""
+        self._compare_from = job.progress if self._compare_from is None else self._compare_from
+        spec = job.spec
+        frames = min(spec.error_frames or 1, spec.frames or 1)
+        total = frames * len(spec.techniques or [None]) * len(spec.modes or [None])
+        done = round(total * (job.progress - self._compare_from) / max(1e-9, 1 - self._compare_from))
+        self._bar.update(done, total, "compared", f"{self._what}: {job.stage}")
 
 
 class ByteBars:
