@@ -10,8 +10,9 @@ import time
 from pathlib import Path
 
 import pytest
+from raywalk.client import Client
 from raywalk.daemon import LocalDaemon
-from raywalk.errors import RaywalkError
+from raywalk.errors import RaywalkError, UnreachableError
 from raywalk.places import daemon_program
 
 SERVER = """
@@ -70,6 +71,22 @@ def test_a_program_that_cannot_be_started(tmp_path) -> None:
     (tmp_path / "raywalkd").chmod(0o755)
     with pytest.raises(RaywalkError, match="could not be started"):
         LocalDaemon(tmp_path / "raywalkd").__enter__()
+
+
+def test_says_at_once_when_it_ended(tmp_path) -> None:
+    pauses: list[float] = []
+    with LocalDaemon(script(tmp_path, 'print("about to fail", flush=True)' + "\n" + SERVER)) as daemon:
+        client = Client(daemon.base_url, sleep=pauses.append, on_lost=daemon.check_alive)
+        assert client.get_livez() == "ok"
+        daemon._process.kill()
+        with pytest.raises(UnreachableError, match=r"(?s)started ended \(signal 9\).*about to fail"), client:
+            client.get_livez()
+    assert pauses == []
+
+
+def test_a_living_daemon_is_tried_again(tmp_path) -> None:
+    with LocalDaemon(script(tmp_path, SERVER)) as daemon:
+        daemon.check_alive()
 
 
 def test_finds_the_program(tmp_path, monkeypatch) -> None:

@@ -28,8 +28,10 @@ class Client:
         timeout: float = 600.0,
         retries: int = 3,
         sleep: Callable[[float], None] = time.sleep,
+        on_lost: Callable[[], None] | None = None,
     ):
-        self._transfer = Transfer(base_url, transport, timeout, retries, sleep)
+        """`on_lost` is called when a connection is lost or refused; what it raises ends the retries."""
+        self._transfer = Transfer(base_url, transport, timeout, retries, sleep, on_lost)
 
     def __enter__(self) -> Self:
         return self

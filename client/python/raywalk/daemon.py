@@ -7,11 +7,12 @@ from pathlib import Path
 from typing import Self
 
 from raywalk.client import Client
-from raywalk.errors import RaywalkError
+from raywalk.errors import RaywalkError, UnreachableError
 from raywalk.places import daemon_program
 
 START_LIMIT_S = 30.0
 STOP_LIMIT_S = 10.0
+END_LIMIT_S = 0.5  # from the loss of its connections until a process counts as ended
 LOG_LINES = 12
 
 
@@ -68,6 +69,19 @@ class LocalDaemon:
                 self._process.wait()
         self._process = None
         self._folder.cleanup()
+
+    def check_alive(self) -> None:
+        """Throws UnreachableError with the daemon's last words when it has ended; meant for lost connections."""
+        if self._process is None:
+            raise UnreachableError("the daemon that raywalk started was stopped")
+        try:
+            code = self._process.wait(END_LIMIT_S)
+        except subprocess.TimeoutExpired:
+            return
+        how = f"signal {-code}" if code < 0 else f"exit code {code}"
+        words = self.last_words()
+        tail = f"; the end of its log:\n{words}" if words else ""
+        raise UnreachableError(f"the daemon that raywalk started ended ({how}){tail}")
 
     def last_words(self) -> str:
         """The end of the daemon's log."""

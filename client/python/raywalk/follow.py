@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 
 import httpx2
 
@@ -49,7 +50,8 @@ def benchmark(client: Client, spec: BenchmarkSpec, on_change: Callable[[Job], No
                 on_change(now)
     except BaseException:
         if job.state not in ENDED:
-            client.cancel_job(job.id)
+            with suppress(RaywalkError):  # the first cause is the one to tell
+                client.cancel_job(job.id)
         raise
     if job.state != "succeeded":
         cause = job.error.detail if job.error else "no cause given"

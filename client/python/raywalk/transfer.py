@@ -27,6 +27,7 @@ class Transfer:
         timeout_s: float,
         retries: int,
         sleep: Callable[[float], None] = time.sleep,
+        on_lost: Callable[[], None] | None = None,
     ):
         address = urlsplit(base_url)
         if address.scheme not in ("http", "https") or not address.hostname:
@@ -34,6 +35,7 @@ class Transfer:
         self.base_url = base_url.rstrip("/")
         self._retries = retries
         self._sleep = sleep
+        self._on_lost = on_lost
         self._http = httpx2.Client(
             base_url=self.base_url,
             transport=transport,
@@ -51,6 +53,8 @@ class Transfer:
             try:
                 response = self._http.request(method, path, **request)
             except httpx2.TransportError as error:
+                if self._on_lost and not isinstance(error, httpx2.ReadTimeout):
+                    self._on_lost()
                 lost = not isinstance(error, (httpx2.ConnectError, httpx2.ConnectTimeout))
                 if last or (lost and not again) or isinstance(error, httpx2.ReadTimeout):
                     raise self._unreachable(error) from error

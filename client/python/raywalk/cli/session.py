@@ -1,6 +1,7 @@
 """What commands share: errors as one message, the daemon they talk to, ways to print."""
 
 import json
+import math
 import re
 import sys
 from collections.abc import Iterator
@@ -41,6 +42,8 @@ class CleanGroup(TyperGroup):
             fail(f"{where}: {first['msg']}")
         except RaywalkError as error:
             fail(str(error))
+        except BrokenPipeError:
+            raise  # the reader has seen enough, as in `| head`: Click ends quietly
         except OSError as error:
             fail(f"{error.filename}: {error.strerror}" if error.filename else str(error))
         except KeyboardInterrupt:
@@ -60,7 +63,7 @@ def connected(context: typer.Context) -> Iterator[Client]:
         with Client(settings.server or "http://daemon", transport=settings.transport) as client:
             yield client
     else:
-        with LocalDaemon() as daemon, Client(daemon.base_url) as client:
+        with LocalDaemon() as daemon, Client(daemon.base_url, on_lost=daemon.check_alive) as client:
             yield client
 
 
@@ -94,6 +97,8 @@ def vector(text: str) -> list[float]:
         numbers = []
     if len(numbers) != 3:
         raise typer.BadParameter(f"{text!r} are no three numbers like 0,1.5,2")
+    if not all(math.isfinite(number) for number in numbers):
+        raise typer.BadParameter(f"{text!r} holds a number that is not finite")
     return numbers
 
 
