@@ -14,7 +14,7 @@ ACCENT, GOOD = (250, 168, 40), (110, 200, 120)
 MARGIN, GAP, TITLE, LABEL = 28, 12, 92, 44
 FEWEST = 6  # places in the strip of the walkthrough
 GROWN = 9  # pixels to a side
-DIFFERENCE_FULL = 1 / 16  # of the range of sRGB values: the lightest colour of the difference map
+DIFFERENCE_FULL = 1 / 16  # of the range of sRGB values: red in the difference map
 
 
 @dataclass
@@ -88,7 +88,7 @@ def steps_row(panels: Sequence[Panel]) -> list[Tile]:
         if panel.steps is None:
             tiles.append((blank(panel), "steps", "this technique cannot count"))
         else:
-            caption = f"mean {panel.steps.mean():.1f} a primary ray, lightest at {full:.0f}"
+            caption = f"mean {panel.steps.mean():.1f} a primary ray, red from {full:.0f}"
             tiles.append((Image.fromarray(heat(panel.steps, full)), "steps", caption))
     return tiles
 
@@ -98,7 +98,11 @@ def difference_row(panels: Sequence[Panel], reference: Reference) -> list[Tile]:
     for panel in panels:
         difference = np.abs(panel.image.astype(float) - reference.image.astype(float)).max(axis=2) / 255
         count = int((difference > 0).sum())
-        caption = f"{count} pixels differ, by {255 * difference.max():.0f}/255 at most" if count else "none"
+        caption = (
+            f"{count} pixel{'s differ' if count != 1 else ' differs'}, by {255 * difference.max():.0f}/255 at most"
+            if count
+            else "none"
+        )
         tiles.append((Image.fromarray(heat(grown(difference), DIFFERENCE_FULL)), "difference", caption))
     return tiles
 
