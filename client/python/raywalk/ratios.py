@@ -7,6 +7,7 @@ ENGINE = "embree/intersect"
 OURS = "bvh/while-while"
 MOST_OVERHEAD = 1.15
 LEAST_SHARE = 0.3
+LEAST_SIDE = 1024  # pixels: smaller frames measure the call more than the rays
 
 
 def ratios(result: BenchmarkResult) -> list[str]:
@@ -24,8 +25,8 @@ def ratios(result: BenchmarkResult) -> list[str]:
         share = ours.mrays_per_s / theirs.mrays_per_s
         rates = f"{ours.mrays_per_s:.2f} and {theirs.mrays_per_s:.2f} Mrays/s"
         lines.append(
-            f"{OURS} traces {share:.2f}x the rays of {ENGINE} ({rates}): "
-            + verdict(share >= LEAST_SHARE, f"at least {LEAST_SHARE}x")
+            f"{OURS} traces {share:.2f}x the rays of {ENGINE} ({rates})"
+            + verdict(result, share >= LEAST_SHARE, f"at least {LEAST_SHARE}x")
         )
     return lines
 
@@ -35,8 +36,8 @@ def overhead_line(what: str, frame: ResultRow, bare: ResultRow, result: Benchmar
     size = f"{result.spec.width}x{result.spec.height}"
     return (
         f"{ENGINE}: a {size} {what} takes {ratio:.2f}x the bare loop {bare.structure}/{bare.traversal} "
-        f"({frame.frame_ms.median:.2f} and {bare.frame_ms.median:.2f} ms): "
-        + verdict(ratio <= MOST_OVERHEAD, f"at most {MOST_OVERHEAD}x")
+        f"({frame.frame_ms.median:.2f} and {bare.frame_ms.median:.2f} ms)"
+        + verdict(result, ratio <= MOST_OVERHEAD, f"at most {MOST_OVERHEAD}x")
     )
 
 
@@ -45,5 +46,8 @@ def build_lines(result: BenchmarkResult) -> list[str]:
     return [f"builds of {result.scene.triangles:,} triangles: {', '.join(builds)}"] if builds else []
 
 
-def verdict(reached: bool, goal: str) -> str:
-    return f"goal {goal}, reached" if reached else f"goal {goal}, MISSED"
+def verdict(result: BenchmarkResult, reached: bool, goal: str) -> str:
+    """The goals hold for large frames of scenes that have something to hit; others get none."""
+    if min(result.spec.width or 0, result.spec.height or 0) < LEAST_SIDE or not result.scene.triangles:
+        return ""
+    return f": goal {goal}, {'reached' if reached else 'MISSED'}"
