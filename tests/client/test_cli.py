@@ -3,6 +3,9 @@
 import csv
 import io
 import json
+import os
+import subprocess
+import sys
 
 import httpx2
 import pytest
@@ -11,7 +14,7 @@ from raywalk.cli import app
 from raywalk.cli.session import Settings
 from typer.testing import CliRunner
 
-from tests.client.conftest import problem
+from tests.client.conftest import HERE, problem
 from tests.client.test_client import JOB, SCENE, STRUCTURE, SYSTEM
 
 KINDS = {
@@ -156,6 +159,32 @@ def test_render_a_pose(raywalk, ready, tmp_path) -> None:
 def test_wrong_usage(raywalk, ready, words) -> None:
     assert raywalk("render", "bunny", *words).exit_code == 2
     assert ready.requests == []
+
+
+@pytest.mark.parametrize("words", [["--eye", "nan,0,0"], ["--eye", "0,0,1", "--fov", "inf"]])
+def test_numbers_are_finite(raywalk, ready, words) -> None:
+    got = raywalk("render", "bunny", "--target", "0,0,0", *words)
+    assert got.exit_code == 2
+    assert "not finite" in got.stderr
+    assert ready.requests == []
+
+
+def test_a_reader_that_left_is_no_error() -> None:
+    command = [
+        sys.executable,
+        "-c",
+        "from raywalk.cli import main; main()",
+        "tables",
+        *[str(HERE / "data/result.json")] * 99,
+    ]
+    read, write = os.pipe()
+    os.close(read)
+    for form in ("md", "term"):
+        done = subprocess.run(
+            [*command, "--format", form], stdout=write, stderr=subprocess.PIPE, timeout=60, check=False
+        )
+        assert done.stderr == b""
+    os.close(write)
 
 
 def test_walk(raywalk, ready, tmp_path) -> None:

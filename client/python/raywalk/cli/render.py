@@ -1,6 +1,7 @@
 """raywalk render and raywalk walk: images of a scene."""
 
 import csv
+import math
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -45,6 +46,8 @@ def camera_of(
 ) -> CameraPose | PathFrame:
     if (eye is None) != (target is None):
         raise typer.BadParameter("--eye and --target go together")
+    if fov is not None and not math.isfinite(fov):
+        raise typer.BadParameter("--fov is not finite")
     if eye is not None and target is not None:
         if frame is not None:
             raise typer.BadParameter("give either --frame or --eye and --target")
