@@ -31,6 +31,9 @@ inline void discard_rest(socket_t socket) {
 
 class HttpServer : public httplib::Server {
  private:
+  /// Answers are made for each request: no part of one can be asked for.
+  static void ignore_ranges(httplib::Request& in) { in.ranges.clear(); }
+
   bool process_and_close_socket(socket_t socket) override {
     std::string remote_address, local_address;
     int remote_port = 0, local_port = 0;
@@ -41,7 +44,7 @@ class HttpServer : public httplib::Server {
         write_timeout_sec_, write_timeout_usec_, [&](httplib::Stream& stream, bool close_connection, bool& closed) {
           close_connection_after_answer = false;
           const bool ok = process_request(stream, remote_address, remote_port, local_address, local_port,
-                                          close_connection, closed, nullptr);
+                                          close_connection, closed, ignore_ranges);
           closed = closed || close_connection_after_answer;
           return ok;
         });

@@ -67,6 +67,12 @@ struct Server::Impl {
                                      : config.limits.json_bytes;
   }
 
+  /// More than any operation takes.
+  bool is_hopelessly_large(const httplib::Request& in) const {
+    return in.get_header_value_u64("Content-Length") >
+           std::max({config.limits.upload_bytes, config.limits.rays_bytes, config.limits.json_bytes});
+  }
+
   void check_before_routing(const httplib::Request& in) const {
     if (has_control_characters(in.path))
       throw ApiError(400, "control_character", "The path holds a control character.");
@@ -81,6 +87,7 @@ struct Server::Impl {
     if (in.has_header("Origin") && !guard.origin_allowed(in.get_header_value("Origin"))) {
       throw ApiError(403, "foreign_origin", "Requests from web pages of other origins are refused.");
     }
+    if (is_hopelessly_large(in)) throw ApiError(413, "body_too_large", "No path takes a body as large as this.");
   }
 
   void read_body(const httplib::Request& in, const Reader* reader, const Operation& operation, Request& request,
@@ -124,7 +131,8 @@ struct Server::Impl {
 
   /// A small body that nobody wanted is read, to keep the connection; after a large one it ends.
   static void skip_body(const httplib::Request& in, const Reader& reader) {
-    const bool small = !in.has_header("Transfer-Encoding") && in.get_header_value_u64("Content-Length") <= kSmallBody;
+    const bool plain = !in.has_header("Transfer-Encoding") && !in.is_multipart_form_data();
+    const bool small = plain && in.get_header_value_u64("Content-Length") <= kSmallBody;
     close_connection_after_answer = !small || !reader([](const char*, std::size_t) { return true; });
   }
 
@@ -183,8 +191,12 @@ struct Server::Impl {
   }
 
   /// Errors that cpp-httplib finds by itself: unreadable requests, too long addresses.
-  static void answer_unrouted(const httplib::Request& in, httplib::Response& out) {
+  void answer_unrouted(const httplib::Request& in, httplib::Response& out) {
     if (!out.body.empty() || out.has_header("X-Request-Id")) return;
+    if (out.status == 416 && !has_body(in)) {  // a Range that it cannot read is as good as none
+      answer(in, out, nullptr);
+      return;
+    }
     const std::string id = new_request_id();
     close_connection_after_answer = true;  // where the next request would begin is not known
     Problem problem{out.status, "bad_request", "The request could not be read as HTTP."};
@@ -216,20 +228,24 @@ struct Server::Impl {
       return httplib::Server::HandlerResponse::Handled;
     });
     http.Post(kAll, with_body).Put(kAll, with_body).Patch(kAll, with_body).Delete(kAll, with_body);
-    http.set_error_handler([](const httplib::Request& in, httplib::Response& out) { answer_unrouted(in, out); });
+    http.set_error_handler([this](const httplib::Request& in, httplib::Response& out) { answer_unrouted(in, out); });
     http.set_exception_handler([](const httplib::Request&, httplib::Response& out, std::exception_ptr) {
       out.status = 500;  // the error handler writes the body
     });
     http.set_post_routing_handler([](const httplib::Request&, httplib::Response& out) {
+      out.headers.erase("Accept-Ranges");
       if (!close_connection_after_answer) return;
       out.headers.erase("Keep-Alive");
       out.headers.erase("Connection");
       out.set_header("Connection", "close");
     });
-    http.set_expect_100_continue_handler([this](const httplib::Request& in, httplib::Response&) {
-      return in.get_header_value_u64("Content-Length") > config.limits.upload_bytes ? 413 : 100;
+    http.set_expect_100_continue_handler([this](const httplib::Request& in, httplib::Response& out) {
+      if (!is_hopelessly_large(in)) return 100;
+      close_connection_after_answer = true;
+      answer(in, out, nullptr);  // a refusal
+      return out.status;
     });
-    http.set_payload_max_length(std::max(config.limits.upload_bytes, config.limits.rays_bytes) + 1);
+    // cpp-httplib's own limit of bodies stays off: they are counted where their operation is known.
     http.set_read_timeout(std::chrono::seconds(10));
     http.set_write_timeout(std::chrono::seconds(10));
     http.set_keep_alive_timeout(5);

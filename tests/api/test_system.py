@@ -1,5 +1,7 @@
 """Health, machine, kinds, metrics, and what HTTP itself answers."""
 
+import http.client
+import json
 import re
 import socket
 
@@ -101,3 +103,47 @@ def test_unreadable_requests_disturb_nothing(daemon: Daemon, raw: bytes) -> None
         answer = connection.recv(4096)
     assert re.match(rb"HTTP/1.1 4\d\d ", answer), answer
     assert daemon.client.get("/livez").status_code == 200
+
+
+@pytest.mark.parametrize("target", ["GET /livez", "PUT /v1/scenes/x", "POST /v1/frames"])
+def test_hopelessly_large_bodies_are_refused_unsent(daemon: Daemon, target: str) -> None:
+    for length in (536_870_913, 1 << 62, 10**30):
+        connection = http.client.HTTPConnection("127.0.0.1", daemon.port, timeout=20)
+        method, path = target.split()
+        connection.putrequest(method, path)
+        for name, value in (("Expect", "100-continue"), ("Content-Length", str(length))):
+            connection.putheader(name, value)
+        connection.endheaders()
+        answer = connection.getresponse()
+        assert (answer.status, answer.headers["Content-Type"]) == (413, "application/problem+json")
+        assert json.loads(answer.read())["code"] == "body_too_large"
+        connection.close()
+    assert daemon.client.get("/livez").status_code == 200
+
+
+def test_a_chunked_upload_ends_at_its_limit(daemon: Daemon) -> None:
+    """A byte more than the limit; no length says so beforehand."""
+    limit = daemon.json("GET", "/v1/system", 200)["limits"]["upload_bytes"]
+    piece = bytes(1 << 20)
+    connection = http.client.HTTPConnection("127.0.0.1", daemon.port, timeout=60)
+    headers = {"Content-Type": "application/octet-stream"}
+    pieces = [piece] * (limit // len(piece)) + [b"x"]
+    connection.request("PUT", "/v1/scenes/endless", iter(pieces), headers, encode_chunked=True)
+    answer = connection.getresponse()
+    assert (answer.status, json.loads(answer.read())["code"]) == (413, "body_too_large")
+
+
+@pytest.mark.parametrize("path", ["/v1/frames", "/v1/jobs", "/v1/scenes", "/v1/structures"])
+@pytest.mark.parametrize("kind", ["multipart/form-data; boundary=x", "multipart/form-data"])
+def test_forms_are_refused(daemon: Daemon, path: str, kind: str) -> None:
+    form = b'--x\r\nContent-Disposition: form-data; name="a"\r\n\r\n1\r\n--x--\r\n'
+    daemon.problem("POST", path, 415, "unsupported_media_type", content=form, headers={"Content-Type": kind})
+
+
+@pytest.mark.parametrize("asked", ["bytes=0-3", "bytes=1000000-", "bytes=0-1,3-4", "lines=1", "bytes=9-1"])
+def test_ranges_are_ignored(daemon: Daemon, asked: str) -> None:
+    whole = daemon.client.get("/v1/kinds")
+    answer = daemon.client.get("/v1/kinds", headers={"Range": asked})
+    assert (answer.status_code, answer.content) == (200, whole.content)
+    for head in (daemon.client.head("/v1/kinds"), answer):
+        assert not {"accept-ranges", "content-range"} & set(head.headers)
