@@ -228,7 +228,10 @@ def test_bench(raywalk, ready, result, tmp_path) -> None:
     assert "bvh/while-while traces 0.55x the rays of embree/intersect" in got.stdout
     assert "error" in got.stdout
     shown = raywalk("tables", tmp_path / "r.json", "--table", "2", "--format", "csv")
-    assert shown.stdout.startswith("# A processor")
+    assert shown.stdout.startswith("scene,fidelity,width_px,")
+    assert raywalk("tables", tmp_path / "r.json", "--format", "csv").exit_code == 2
+    assert raywalk("tables", tmp_path / "r.json", "--format", "csv", "--out", tmp_path / "c").exit_code == 0
+    assert sorted(path.name for path in (tmp_path / "c").iterdir()) == ["table1.csv", "table2.csv"]
     assert raywalk("tables", tmp_path / "r.json", "--out", tmp_path / "t").exit_code == 0
     assert sorted(path.name for path in (tmp_path / "t").iterdir()) == ["table1.md", "table2.md"]
 

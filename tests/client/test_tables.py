@@ -6,16 +6,30 @@ import io
 import pytest
 from raywalk.errors import RaywalkError
 from raywalk.ratios import ratios
-from raywalk.tables import csv_text, markdown, read_results, table1, table2
+from raywalk.tables import markdown, read_results, table1, table2, table_text
 from raywalk.tables.machine import machine_line
 
 STAND_IN = {"fidelity": "stand-in"}
 
 
 def rows_of(table) -> list[dict[str, str]]:
-    lines = csv_text(table).split("\n", 1)
-    assert lines[0].startswith("# A processor, 2 threads, commit 0123456789ab, 2026-11-22, `raywalk bench bunny")
-    return list(csv.DictReader(io.StringIO(lines[1])))
+    """Cells by the titles of their columns, as they are shown, figures unrounded."""
+    titles = [column.title for column in table.columns]
+    assert table.machine.startswith("A processor, 2 threads, commit 0123456789ab, 2026-11-22, `raywalk bench bunny")
+    return [dict(zip(titles, ["" if cell is None else str(cell) for cell in row], strict=True)) for row in table.rows]
+
+
+def records_of(number: int, results) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(table_text(number, results, "csv"))))
+
+
+def other_run(result, modes=("trace",)):
+    """A smaller run of the same scene, with fewer frames and modes."""
+    spec = result.spec.model_copy(update={"width": 64, "height": 32, "frames": 3, "modes": list(modes)})
+    rows = [row.model_copy(deep=True) for row in result.rows if row.mode in modes]
+    for row in rows:
+        row.error.frames = 3
+    return result.model_copy(update={"spec": spec, "rows": rows})
 
 
 def test_machine_line_names_the_command(result) -> None:
@@ -120,3 +134,83 @@ def test_unreadable_results(tmp_path) -> None:
     (tmp_path / "bad.json").write_text('{"schema_version": 2}')
     with pytest.raises(RaywalkError, match="no benchmark result: /schema_version"):
         read_results([tmp_path / "bad.json"])
+
+
+def test_different_runs_are_told_apart(result) -> None:
+    small = other_run(result)
+    for make in table1, table2:
+        table = make([result, small])
+        assert "512x512" not in table.title
+        assert [table.machine.count(f"--size {size}") for size in ("512x512", "64x32")] == [1, 1]
+        rows = [row for row in rows_of(table) if row["scene"].startswith("bunny")]
+        assert [(row["size"], row["frames"]) for row in rows] == [("512x512", "8"), ("64x32", "3")]
+    assert "on as many frames as column `compared` says" in "\n".join(table2([result, small]).notes)
+    assert [row["compared"] for row in rows_of(table2([result, small])) if row["compared"]] == ["4", "3"]
+
+
+def test_the_counted_mode_is_named_for_each_row(result) -> None:
+    table = table1([result, other_run(result)])
+    assert [row["rays"] for row in rows_of(table)] == [
+        "primary",
+        "all",
+        "trace",
+        "all",
+    ]
+    assert len(table.notes) == len(set(table.notes))
+    (note,) = [note for note in table.notes if note.startswith("Steps and tests")]
+    names = "grid/dda, kdtree/short-stack-3, bvh/packet"
+    assert f"bunny 512x512: {names}, rays of mode primary; bunny 64x32: {names}, rays of mode trace;" in note
+
+
+def test_equal_runs_need_no_more_columns(result) -> None:
+    assert len(table2([result, result]).columns) == len(table2([result]).columns)
+    assert table2([result, result]).title.endswith("512x512")
+
+
+def test_errors_name_both_references(result) -> None:
+    rows = [row.model_copy(deep=True) for row in result.rows]
+    for row in rows:
+        row.error.reference = row.error.reference.replace("intersect", "intersect robust=on")
+    notes = "\n".join(table2([result.model_copy(update={"rows": rows})]).notes)
+    ours, embree = (
+        "ours against watertight Embree (embree/intersect robust=on)",
+        "Embree itself against bvh/while-while",
+    )
+    assert f"Errors: {ours}, {embree}, on 4 frames: " in notes
+
+
+def test_an_early_stop_is_told_once(result) -> None:
+    stopped = {"stop_reason": "time_limit"}
+    assert sum("stopped" in note for note in table2([result.model_copy(update=stopped)]).notes) == 1
+    stopped["notes"] = ["Measuring stopped at the time limit; frames after it are missing."]
+    assert sum("stopped" in note for note in table2([result.model_copy(update=stopped)]).notes) == 1
+
+
+def test_a_scene_without_mirrors_is_said_to_have_none(result) -> None:
+    said = "bunny: nothing in view reflects or refracts"
+    assert any(note.startswith(said) for note in table2([result]).notes)
+    rows = [row.model_copy(deep=True) for row in result.rows]
+    next(row for row in rows if row.mode == "whitted").rays_per_frame += 1
+    assert not any(note.startswith(said) for note in table2([result.model_copy(update={"rows": rows})]).notes)
+
+
+def test_csv_of_times_is_for_programs(result) -> None:
+    records = records_of(2, [result, other_run(result)])
+    assert len(records) == len(result.rows) + 8
+    keys = {(r["scene"], r["width_px"], r["mode"], r["technique"]) for r in records}
+    assert len(keys) == len(records)
+    assert all(all(key) for key in keys)
+    assert not any(" " in name or "%" in name for name in records[0])
+    packet = next(r for r in records if (r["mode"], r["technique"]) == ("primary", "bvh/packet"))
+    assert float(packet["frame_mean_ms"]) == 72.42
+    assert (packet["frame_percent"], packet["gtx280_percent"], packet["gtx280_frame_ms"]) == ("100.0", "100.0", "13.8")
+    assert packet["command"].startswith("raywalk bench bunny")
+
+
+def test_csv_of_structures_marks_the_paper(result) -> None:
+    ours, paper = records_of(1, [result])
+    assert [(r["scene"], r["source"]) for r in (ours, paper)] == [("bunny", "ours"), ("bunny", "paper")]
+    assert (ours["grid_cells"], paper["kdtree_leaves_thousands"]) == ("83x82x64", "154.0")
+    assert (ours["bvh_traversal"], ours["bvh_mode"], ours["bvh_mb"]) == ("packet", "primary", "4.806")
+    assert (paper["width_px"], paper["frames"], paper["device"]) == ("1024", "400", "GTX 280")
+    assert (paper["threads"], paper["command"]) == ("", "")

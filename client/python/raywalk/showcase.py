@@ -13,7 +13,7 @@ from raywalk.follow import built
 from raywalk.images import opened
 from raywalk.models import BenchmarkResult, FrameRequest, PathFrame, ResultRow
 from raywalk.tables.machine import machine_line
-from raywalk.tables.table2 import technique
+from raywalk.tables.notes2 import technique
 
 RAW, PNG = "application/octet-stream", "image/png"
 WALK_TILES = 8

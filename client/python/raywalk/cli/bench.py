@@ -13,7 +13,7 @@ from raywalk.follow import benchmark
 from raywalk.models import BenchmarkResult, BenchmarkSpec, Job, Technique
 from raywalk.progress import job_bar, messages
 from raywalk.ratios import ratios
-from raywalk.tables import csv_text, table2, terminal
+from raywalk.tables import table2, table_text, terminal
 from raywalk.tables.files import result_json
 from raywalk.techniques import bare_loops, measured
 
@@ -87,7 +87,7 @@ def bench(
     if as_json:
         return print_json(result)
     if as_csv:
-        return typer.echo(csv_text(table2([result])), nl=False)
+        return typer.echo(table_text(2, [result], "csv"), nl=False)
     console = results()
     console.print(terminal(table2([result])))
     for line in ratios(result):

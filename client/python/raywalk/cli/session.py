@@ -22,6 +22,9 @@ from raywalk.daemon import LocalDaemon
 from raywalk.errors import RaywalkError
 
 
+PIPED_WIDTH = 200  # characters: room for the widest table
+
+
 @dataclass
 class Settings:
     """Global options; `transport` replaces the network in tests."""
@@ -69,7 +72,7 @@ def connected(context: typer.Context) -> Iterator[Client]:
 
 def results() -> Console:
     """Where results go. Piped tables keep their width."""
-    width = None if sys.stdout.isatty() else 160
+    width = None if sys.stdout.isatty() else PIPED_WIDTH
     return Console(file=sys.stdout, highlight=False, width=width)
 
 

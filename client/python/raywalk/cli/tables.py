@@ -8,7 +8,7 @@ import typer
 
 from raywalk.cli.session import results, writable_folder
 from raywalk.progress import messages
-from raywalk.tables import TABLES, csv_text, markdown, read_results, terminal, write_tables
+from raywalk.tables import TABLES, read_results, table_text, terminal, write_tables
 
 
 class Form(StrEnum):
@@ -24,15 +24,17 @@ def tables(
     out: Annotated[Path | None, typer.Option(help="Folder for table1 and table2; the terminal when absent.")] = None,
 ) -> None:
     """Tables 1 and 2 of the study, ours beside the paper's."""
+    numbers = [one for one in TABLES if number in (None, one)]
+    if form == Form.CSV and out is None and len(numbers) > 1:
+        raise typer.BadParameter("--format csv takes --table 1 or 2, or --out for a file each")
     found = read_results(files)
-    made = {one: TABLES[one](found) for one in TABLES if number in (None, one)}
     if out is not None:
         form = Form.MD if form == Form.TERM else form
-        for path in write_tables(made, writable_folder(out), form.value):
+        for path in write_tables(numbers, found, writable_folder(out), form.value):
             messages().print(f"wrote {path}")
         return
-    for table in made.values():
+    for one in numbers:
         if form == Form.TERM:
-            results().print(terminal(table))
+            results().print(terminal(TABLES[one](found)))
         else:
-            typer.echo(markdown(table) if form == Form.MD else csv_text(table))
+            typer.echo(table_text(one, found, form.value), nl=form == Form.MD)

@@ -1,15 +1,19 @@
 """Results read from files, tables written to files."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from pydantic import ValidationError
 
 from raywalk.errors import RaywalkError
 from raywalk.models import BenchmarkResult
-from raywalk.tables.table import Table, csv_text, markdown
+from raywalk.tables.records import csv_text, records1, records2
+from raywalk.tables.table import markdown
+from raywalk.tables.table1 import table1
+from raywalk.tables.table2 import table2
 
-WRITERS = {"md": markdown, "csv": csv_text}
+TABLES = {1: table1, 2: table2}
+RECORDS = {1: records1, 2: records2}
 
 
 def read_results(paths: Iterable[Path]) -> list[BenchmarkResult]:
@@ -32,11 +36,16 @@ def result_json(result: BenchmarkResult) -> str:
     return result.model_dump_json(indent=1, exclude_none=False) + "\n"
 
 
-def write_tables(tables: dict[int, Table], folder: Path, form: str) -> list[Path]:
+def table_text(number: int, results: Sequence[BenchmarkResult], form: str) -> str:
+    """A table as `md` for people or `csv` for programs."""
+    return csv_text(RECORDS[number](results)) if form == "csv" else markdown(TABLES[number](results))
+
+
+def write_tables(numbers: Iterable[int], results: Sequence[BenchmarkResult], folder: Path, form: str) -> list[Path]:
     """Writes table1.md and so on (or .csv)."""
     written = []
-    for number, table in tables.items():
+    for number in numbers:
         path = folder / f"table{number}.{form}"
-        path.write_text(WRITERS[form](table))
+        path.write_text(table_text(number, results, form))
         written.append(path)
     return written

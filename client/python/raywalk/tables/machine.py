@@ -1,4 +1,4 @@
-"""The line that begins every table: device, threads, commit, date and the command that measures this again."""
+"""The line that begins every table: device, threads, commit, date and the commands that measure this again."""
 
 from collections.abc import Sequence
 
@@ -20,19 +20,22 @@ def command_of(spec: BenchmarkSpec) -> str:
     if spec.depth != 2:
         words.append(f"--depth {spec.depth}")
     words += [f"--repeats {spec.repeats}", f"--warmup {spec.warmup}"]
+    if spec.error_frames not in (None, 4):
+        words.append(f"--error-frames {spec.error_frames}")
+    if spec.time_limit_s not in (None, 3600):
+        words.append(f"--time-limit {spec.time_limit_s:g}")
     return " ".join(words)
 
 
 def machine_line(results: Sequence[BenchmarkResult]) -> str:
-    """One clause a machine (results of several are said to be), then dates and the command of the first."""
-    first = results[0]
+    """One clause a machine (results of several are said to be), then dates and every command."""
     machines = {result.machine.fingerprint: result.machine for result in results}
     devices = "; ".join(describe(machine) for machine in machines.values())
     dates = sorted({result.created_at[:10] for result in results})
     date = dates[0] if len(dates) == 1 else f"{dates[0]} to {dates[-1]}"
-    more = f" (and {len(results) - 1} more)" if len(results) > 1 else ""
+    commands = dict.fromkeys(f"`{command_of(result.spec)}`" for result in results)
     mixed = "DIFFERENT MACHINES, times are not comparable: " if len(machines) > 1 else ""
-    return f"{mixed}{devices}, {date}, `{command_of(first.spec)}`{more}"
+    return f"{mixed}{devices}, {date}, {', '.join(commands)}"
 
 
 def describe(machine: Machine) -> str:

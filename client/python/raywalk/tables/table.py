@@ -1,16 +1,12 @@
-"""A table as data, and its three forms: Markdown, CSV and the terminal."""
+"""A table as data, and its two forms for people: Markdown and the terminal."""
 
-import csv
-import io
 from dataclasses import dataclass, field
-from typing import Literal
 
 from rich import box
 from rich.markup import escape
 from rich.table import Table as RichTable
 
 Cell = str | int | float | None
-Form = Literal["md", "csv", "term"]
 NONE = "—"
 
 
@@ -60,16 +56,6 @@ def markdown(table: Table) -> str:
         lines.append("| " + " | ".join(cells) + " |")
     lines += [""] + [f"- {note}" for note in table.notes] if table.notes else []
     return "\n".join(lines) + "\n"
-
-
-def csv_text(table: Table) -> str:
-    """Figures unrounded; the machine line is a comment in front."""
-    out = io.StringIO()
-    out.write(f"# {table.machine}\n")
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([column.title for column in table.columns])
-    writer.writerows([["" if cell is None else cell for cell in row] for row in table.rows])
-    return out.getvalue()
 
 
 def terminal(table: Table) -> RichTable:

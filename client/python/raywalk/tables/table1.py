@@ -5,7 +5,8 @@ from collections.abc import Sequence
 from raywalk.models import BenchmarkResult, ResultRow, Structure
 from raywalk.tables.differences import differences
 from raywalk.tables.machine import machine_line
-from raywalk.tables.paper import Paper
+from raywalk.tables.paper import PAPER_FRAMES, PAPER_SIZE, Paper
+from raywalk.tables.runs import differing, run_cells, run_columns, size_of
 from raywalk.tables.table import Cell, Column, Table
 
 # The paper's traversal of each structure comes first: its steps and tests stand in the table.
@@ -27,43 +28,55 @@ HEADINGS = {
     "steps": ("steps", 1),
     "tests": ("tests", 1),
 }
+PAPER_RUN: dict[str, Cell] = {"size": PAPER_SIZE, "frames": PAPER_FRAMES}
 KIND_NAMES = {"grid": "grid", "kdtree": "kd-tree", "bvh": "BVH"}
 
 
-def columns() -> list[Column]:
-    made = [Column("scene", left=True), Column("triangles"), Column("lights")]
+def columns(facts: Sequence[str], with_rays: bool) -> list[Column]:
+    made = [Column("scene", left=True), *run_columns(facts)]
+    made += [Column("rays", left=True)] if with_rays else []
+    made += [Column("triangles"), Column("lights")]
     for kind, figures in FIGURES.items():
         made += [Column(HEADINGS[figure][0], KIND_NAMES[kind], HEADINGS[figure][1]) for figure in figures]
     return made
 
 
 def table1(results: Sequence[BenchmarkResult]) -> Table:
-    table = Table("Table 1: the structures, ours above the paper's", machine_line(results), columns())
+    facts = differing(results, ["size", "frames"])
+    with_rays = len({counted_modes(result) for result in results}) > 1
+    table = Table("Table 1: the structures, ours above the paper's", machine_line(results), columns(facts, with_rays))
     for result in results:
         table.sections.add(len(table.rows))
-        table.rows.append(our_row(result))
+        table.rows.append(our_row(result, facts, with_rays))
         if Paper(result.scene.paper).has_structures:
-            table.rows.append(paper_row(result))
+            table.rows.append(paper_row(result, facts, with_rays))
     table.notes = notes(results)
     return table
 
 
-def our_row(result: BenchmarkResult) -> list[Cell]:
+def our_row(result: BenchmarkResult, facts: Sequence[str], with_rays: bool) -> list[Cell]:
     scene = result.scene
-    cells: list[Cell] = [f"{scene.name} ({scene.fidelity})", scene.triangles, scene.lights]
+    cells: list[Cell] = [f"{scene.name} ({scene.fidelity})", *run_cells(result, facts)]
+    cells += [counted_modes(result) or None] if with_rays else []
+    cells += [scene.triangles, scene.lights]
     for kind, figures in FIGURES.items():
         cells += [our_figure(result, kind, figure) for figure in figures]
     return cells
 
 
-def paper_row(result: BenchmarkResult) -> list[Cell]:
+def paper_row(result: BenchmarkResult, facts: Sequence[str], with_rays: bool) -> list[Cell]:
     paper = Paper(result.scene.paper)
-    cells: list[Cell] = ["  paper", paper.triangles, paper.lights]
+    cells: list[Cell] = ["  paper", *(PAPER_RUN[fact] for fact in facts)]
+    cells += ["all"] if with_rays else []
+    cells += [paper.triangles, paper.lights]
     for kind, figures in FIGURES.items():
-        for figure in figures:
-            value = paper.structure(kind, figure)
-            cells.append(cells_text(value) if figure == "size" else thousands(value) if figure == "leaves" else value)
+        cells += [paper_figure(paper, kind, figure) for figure in figures]
     return cells
+
+
+def paper_figure(paper: Paper, kind: str, figure: str) -> Cell:
+    value = paper.structure(kind, figure)
+    return cells_text(value) if figure == "size" else thousands(value) if figure == "leaves" else value
 
 
 def our_figure(result: BenchmarkResult, kind: str, figure: str) -> Cell:
@@ -97,6 +110,31 @@ def counted_row(result: BenchmarkResult, kind: str) -> ResultRow | None:
     return rows[0] if rows else None
 
 
+def counted_rows(result: BenchmarkResult) -> list[ResultRow]:
+    return [row for kind in FIGURES if (row := counted_row(result, kind))]
+
+
+def counted_modes(result: BenchmarkResult) -> str:
+    """The modes whose rays were counted; more than one only when structures were measured in different ones."""
+    return ", ".join(sorted({row.mode for row in counted_rows(result)}))
+
+
+def counted_text(result: BenchmarkResult) -> str:
+    """What was counted, as a clause; empty when nothing was."""
+    names = ", ".join(f"{row.structure}/{row.traversal}" for row in counted_rows(result))
+    return f"{names}, rays of mode {counted_modes(result)}" if names else ""
+
+
+def counted_note(results: Sequence[BenchmarkResult]) -> list[str]:
+    """One clause when all results counted the same, else one a result."""
+    said = [counted_text(result) for result in results]
+    if len(set(said)) > 1:
+        pairs = zip(results, said, strict=True)
+        clauses = [f"{result.scene.name} {size_of(result)}: {text or 'none'}" for result, text in pairs]
+        said = ["; ".join(clauses)]
+    return [f"Steps and tests: {said[0]}; the paper counts primary and secondary rays."] if said[0] else []
+
+
 def cells_text(resolution: Sequence[int] | None) -> str | None:
     return "x".join(str(count) for count in resolution) if resolution else None
 
@@ -109,16 +147,7 @@ def notes(results: Sequence[BenchmarkResult]) -> list[str]:
     said = [
         "#refs is references per triangle, MB is 10⁶ bytes of the whole structure, steps and tests are a ray's mean."
     ]
-    counted = {}
-    for result in results:
-        for kind in FIGURES:
-            if row := counted_row(result, kind):
-                counted[f"{row.structure}/{row.traversal}"] = row.mode
-    if counted:
-        modes = ", ".join(sorted(set(counted.values())))
-        said.append(
-            f"Steps and tests: {', '.join(counted)}, rays of mode {modes}; the paper counts primary and secondary rays."
-        )
+    said += counted_note(results)
     for result in results:
         scene = result.scene
         if scene.fidelity == "stand-in":
@@ -127,4 +156,4 @@ def notes(results: Sequence[BenchmarkResult]) -> list[str]:
                 "not the paper's object."
             )
         said += differences(result)
-    return said
+    return list(dict.fromkeys(said))
