@@ -4,11 +4,9 @@
 #if defined(__CUDACC__)
 #define RW_GPU 1
 #define RW_FN __device__ __forceinline__
-#define RW_HOST_FN __host__ __device__ __forceinline__
 #else
 #define RW_GPU 0
 #define RW_FN inline __attribute__((always_inline))
-#define RW_HOST_FN inline
 #endif
 
 namespace raywalk {

@@ -70,10 +70,15 @@ RW_FN Vec3 cross(Vec3 a, Vec3 b) {
 RW_FN float length(Vec3 a) {
   return square_root(dot(a, a));
 }
-/// The zero vector stays zero.
+/// A power of two that brings a, which is not negative, near 1; exact to multiply with.
+RW_FN float scale_of(float a) {
+  return float_of((254u << 23) - smaller(bits_of(a) & 0x7f800000u, 253u << 23));
+}
+/// Of any length, since it is scaled first; the zero vector stays zero.
 RW_FN Vec3 normalized(Vec3 a) {
-  const float l = length(a);
-  return l > 0.0f ? a * divide(1.0f, l) : a;
+  const Vec3 scaled = a * scale_of(largest(magnitude(a)));
+  const float l = length(scaled);
+  return l > 0.0f ? scaled * divide(1.0f, l) : a;
 }
 
 /// Axis-aligned box; empty when lo > hi.

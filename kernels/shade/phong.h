@@ -25,8 +25,8 @@ struct PhongTerms {
   float shininess;
 };
 
-/// Light of one visible lamp, without a branch. `n` faces the viewer, `to_light` and `d` (the ray that came) are unit
-/// vectors.
+/// Light of one visible lamp, without a branch. `n` is on the viewer's side of the surface, `to_light` and `d` (the ray
+/// that came) are unit vectors.
 template <bool kSpecular>
 RW_FN Vec3 phong(const PhongTerms& m, Vec3 intensity, Vec3 n, Vec3 to_light, Vec3 d) {
   const float cosine = dot(n, to_light);

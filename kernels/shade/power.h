@@ -30,7 +30,7 @@ RW_FN float exp2_of(float x) {
   return float_of(bits_of(mantissa) + (static_cast<u32>(static_cast<i32>(whole)) << 23));
 }
 
-/// x^n for x in [0, 1] and n >= 0, without a branch; x below 1e-30 counts as 1e-30, values under 2^-120 are 0.
+/// x^n for x in [0, 1] and n >= 1, without a branch; x below 1e-30 counts as 1e-30, values under 2^-120 are 0.
 RW_FN float power(float x, float n) {
   const float exponent = larger(n * log2_of(larger(x, 1e-30f)), -121.0f);
   const float value = exp2_of(exponent);

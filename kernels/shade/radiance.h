@@ -7,7 +7,7 @@
 
 namespace raywalk {
 
-constexpr u32 kMaxDepth = 16;
+constexpr u32 kMaxBounces = 16;
 
 /// A ray still to be followed and what it contributes. Depth first, at most one waits for each bounce.
 struct PendingRay {
@@ -30,14 +30,14 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
   Vec3 weight[kLocal];
   u32 bounces_left[kLocal];
   bool alive[kLocal];
-  PendingRay pending[kSecondary ? kLocal : 1][kSecondary ? kMaxDepth + 1 : 1];
+  PendingRay pending[kSecondary ? kLocal : 1][kSecondary ? kMaxBounces + 1 : 1];
   u32 waiting[kLocal];
   for (u32 i = 0; i < kLocal; ++i) {
     alive[i] = active[i];
     waiting[i] = 0;
     rays[i] = primary_ray(args.camera, x[i], y[i]);
     weight[i] = {1, 1, 1};
-    bounces_left[i] = args.mode == Mode::whitted ? args.depth : 0u;
+    bounces_left[i] = args.mode == Mode::whitted ? smaller(args.depth, kMaxBounces) : 0u;
     if (active[i]) color[i] = {0, 0, 0};
   }
 
@@ -97,10 +97,13 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
       if (lit[i] && bounces_left[i] > 0) {
         const Surface& s = surfaces[i];
         const Material& m = scene.materials()[s.material];
+        // Vertex normals may lean away from the ray, or send its mirror image into the solid: then the triangle's own.
+        const Vec3 plane = s.front ? s.geometric_normal : -s.geometric_normal;
+        const Vec3 n = dot(rays[i].d, s.normal) < 0.0f ? s.normal : plane;
         Vec3 mirrored = m.reflection;
         if ((kFeatures & kFeatureRefraction) && largest(m.transmission) > 0.0f) {
           Vec3 d;
-          if (refracted(rays[i].d, s.normal, s.front ? divide(1.0f, m.ior) : m.ior, d)) {
+          if (refracted(rays[i].d, n, s.front ? divide(1.0f, m.ior) : m.ior, d)) {
             pending[i][waiting[i]++] = {
                 {spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * m.transmission, bounces_left[i] - 1};
           } else {
@@ -108,7 +111,8 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
           }
         }
         if (largest(mirrored) > 0.0f) {
-          const Vec3 d = normalized(reflected(rays[i].d, s.normal));
+          const Vec3 mirror = reflected(rays[i].d, n);
+          const Vec3 d = normalized(dot(mirror, plane) > 0.0f ? mirror : reflected(rays[i].d, plane));
           pending[i][waiting[i]++] = {
               {spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * mirrored, bounces_left[i] - 1};
         }

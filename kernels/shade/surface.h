@@ -18,20 +18,25 @@ struct Surface {
 /// The surface where a ray of direction `d` meets the triangle a b c at barycentrics u, v; no memory is read and no
 /// branch is taken. `interpolated` is the sum of the weighted vertex normals, or zero when there are none.
 RW_FN Surface surface_of(Vec3 a, Vec3 b, Vec3 c, float u, float v, Vec3 interpolated, Vec3 d, u32 material) {
-  const float w = 1.0f - u - v;
-  const Vec3 pa = w * a, pb = u * b, pc = v * c;
+  const Vec3 ab = b - a, ac = c - a;
   Surface s;
-  s.position = pa + pb + pc;
-  s.error = (magnitude(pa) + magnitude(pb) + magnitude(pc)) * 4.1723263e-7f;  // gamma(7), Pharr et al., PBR 3.9.4
-  // The triangle test rounds vertices relative to the ray's origin, here at most an edge away: 16 units of 2^-24.
-  s.slack =
-      9.5367432e-7f * larger(largest(magnitude(c - b)), larger(largest(magnitude(b - a)), largest(magnitude(c - a))));
-  s.geometric_normal = normalized(cross(b - a, c - a));
+  s.position = a + (u * ab + v * ac);
+  // The last addition rounds by half an ulp of the position; all that comes before by some units of the edges' length.
+  s.error = magnitude(s.position) * 1.2e-7f;
+  // The triangle test rounds vertices relative to the ray's origin, here at most an edge away, by about 10 units of
+  // 2^-24; with the position's share there are 24.
+  s.slack = 1.4305115e-6f * larger(largest(magnitude(c - b)), larger(largest(magnitude(ab)), largest(magnitude(ac))));
+  // Scaled first, so that the product of two edges stays a float at any size of scene.
+  const float scale = scale_of(larger(largest(magnitude(ab)), largest(magnitude(ac))));
+  s.geometric_normal = normalized(cross(ab * scale, ac * scale));
   s.front = dot(d, s.geometric_normal) <= 0.0f;
-  const float squared = dot(interpolated, interpolated);
-  const float scale = divide(dot(interpolated, s.geometric_normal) < 0.0f ? -1.0f : 1.0f, square_root(squared));
-  const Vec3 n = squared > 0.0f ? interpolated * scale : s.geometric_normal;
-  s.normal = n * (s.front ? 1.0f : -1.0f);
+  const float side = dot(interpolated, s.geometric_normal) < 0.0f ? -1.0f : 1.0f;
+  const Vec3 n = interpolated * divide(side, length(interpolated));
+  // False without vertex normals, which makes n NaN, and for ones that are not finite.
+  const bool usable = dot(n, s.geometric_normal) >= 0.0f;
+  const Vec3 shading{usable ? n.x : s.geometric_normal.x, usable ? n.y : s.geometric_normal.y,
+                     usable ? n.z : s.geometric_normal.z};
+  s.normal = shading * (s.front ? 1.0f : -1.0f);
   s.material = material;
   return s;
 }

@@ -35,7 +35,8 @@ struct WatertightRay {
 };
 
 /// Writes t, u, v and returns true when the line of the ray meets the triangle, edges and vertices included.
-/// The caller compares t with the interval. Degenerate and non-finite triangles are never met.
+/// The caller compares t with the interval. Degenerate and non-finite triangles are never met, nor are ones whose
+/// squared extent is no float (below 1e-19 or above 1e19 across).
 RW_FN bool intersect(const WatertightRay& ray, const Corners& triangle, float& t, float& u, float& v) {
   // Components are read by address: cheaper than selecting among values.
   const float *a = &triangle.a.x, *b = &triangle.b.x, *c = &triangle.c.x;
@@ -50,10 +51,10 @@ RW_FN bool intersect(const WatertightRay& ray, const Corners& triangle, float& t
   const float det = wa + wb + wc;
   if (!(magnitude(det) > 0.0f)) return false;  // also drops NaN
   const float inverse = divide(1.0f, det);
-  const float z = fma(wa, az, fma(wb, bz, wc * cz));
-  t = z * ray.sz * inverse;
   u = wb * inverse;
   v = wc * inverse;
+  // Weights first: a product of three lengths would leave the range of floats at scales of 1e-13 and 1e13.
+  t = fma(wa * inverse, az, fma(u, bz, v * cz)) * ray.sz;
   return is_finite(t);
 }
 

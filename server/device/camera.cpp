@@ -14,9 +14,9 @@ Camera camera_of(const CameraPose& pose, u32 width, u32 height) {
   const Vec3 forward = normalized(pose.target - pose.eye);
   if (!(length(forward) > 0.5f) || !is_finite(forward))
     throw std::invalid_argument("camera: eye and target are the same point or too far apart");
-  const Vec3 right = normalized(cross(forward, normalized(pose.up)));
-  if (!(length(right) > 0.5f) || !is_finite(right))
-    throw std::invalid_argument("camera: up is zero or along the view direction");
+  const Vec3 across = cross(forward, normalized(pose.up));
+  if (!(length(across) > 1e-6f)) throw std::invalid_argument("camera: up is zero or along the view direction");
+  const Vec3 right = normalized(across);
   const Vec3 up = cross(right, forward);
   const float half_height = std::tan(pose.vertical_fov_deg * 0.5f * 0.017453293f);
   const float pixel = 2.0f * half_height / static_cast<float>(height);

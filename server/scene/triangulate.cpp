@@ -42,22 +42,43 @@ std::vector<Point> flattened(std::span<const u32> corners, std::span<const Vec3>
   return flat;
 }
 
-/// Corners still to be cut, as a ring of indices into the flat polygon.
+/// Corners still to be cut, linked in a ring, each with a flag whether it is an ear. Cutting one changes the flags of
+/// its two neighbours only, so that all cuts together take time in the square of the corners.
 class Ring {
  public:
-  explicit Ring(std::vector<Point> flat) : flat_(std::move(flat)) {
-    for (u32 i = 0; i < flat_.size(); ++i) left_.push_back(i);
+  explicit Ring(std::vector<Point> flat) : flat_(std::move(flat)), size_(static_cast<u32>(flat_.size())) {
+    for (u32 i = 0; i < size_; ++i) {
+      next_.push_back(i + 1 == size_ ? 0 : i + 1);
+      before_.push_back(i == 0 ? size_ - 1 : i - 1);
+    }
+    for (u32 i = 0; i < size_; ++i) ears_.push_back(is_ear(i));
   }
-  size_t size() const { return left_.size(); }
-  u32 at(size_t i) const { return left_[i % left_.size()]; }
-  void remove(size_t i) { left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i % left_.size())); }
+  u32 size() const { return size_; }
+  u32 next(u32 i) const { return next_[i]; }
+  u32 before(u32 i) const { return before_[i]; }
 
-  /// The corner after position i turns left, and no other corner lies in its triangle.
-  bool is_ear(size_t i) const {
-    const Point a = flat_[at(i)], b = flat_[at(i + 1)], c = flat_[at(i + 2)];
+  /// The first ear from corner i on. Without one (a polygon that crosses itself, or is flat) any corner must do.
+  u32 ear_from(u32 i) const {
+    for (u32 k = 0; k < size_ && !ears_[i]; ++k) i = next_[i];
+    return i;
+  }
+  void cut(u32 i) {
+    const u32 a = before_[i], c = next_[i];
+    next_[a] = c;
+    before_[c] = a;
+    --size_;
+    ears_[a] = is_ear(a);
+    ears_[c] = is_ear(c);
+  }
+
+ private:
+  /// Corner i turns left, and no other corner lies in its triangle.
+  bool is_ear(u32 i) const {
+    const u32 first = before_[i], last = next_[i];
+    const Point a = flat_[first], b = flat_[i], c = flat_[last];
     if (!(turn(a, b, c) > 0.0)) return false;
-    for (size_t k = i + 3; k < i + left_.size(); ++k) {
-      const Point p = flat_[at(k)];
+    for (u32 k = next_[last]; k != first; k = next_[k]) {
+      const Point p = flat_[k];
       // A seam to a hole repeats corners, which may touch the ear.
       if (same(p, a) || same(p, b) || same(p, c)) continue;
       if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) return false;
@@ -65,9 +86,10 @@ class Ring {
     return true;
   }
 
- private:
   std::vector<Point> flat_;
-  std::vector<u32> left_;
+  std::vector<u32> next_, before_;
+  std::vector<char> ears_;
+  u32 size_;
 };
 
 }  // namespace
@@ -76,17 +98,17 @@ std::vector<u32> triangulate(std::span<const u32> corners, std::span<const Vec3>
   std::vector<u32> triangles;
   if (corners.size() < 3) return triangles;
   Ring ring(flattened(corners, positions));
-  size_t start = 0;
+  u32 at = 0;
+  const auto add = [&](u32 corner) {
+    triangles.insert(triangles.end(), {corners[ring.before(corner)], corners[corner], corners[ring.next(corner)]});
+  };
   while (ring.size() > 3) {
-    size_t ear = start;
-    while (ear < start + ring.size() && !ring.is_ear(ear)) ++ear;
-    // Without an ear (a polygon that crosses itself, or is flat) any corner must do.
-    triangles.insert(triangles.end(), {corners[ring.at(ear)], corners[ring.at(ear + 1)], corners[ring.at(ear + 2)]});
-    const size_t cut = (ear + 1) % ring.size();
-    ring.remove(cut);
-    start = cut % ring.size();
+    at = ring.ear_from(at);
+    add(at);
+    ring.cut(at);
+    at = ring.next(at);
   }
-  triangles.insert(triangles.end(), {corners[ring.at(0)], corners[ring.at(1)], corners[ring.at(2)]});
+  add(at);
   return triangles;
 }
 

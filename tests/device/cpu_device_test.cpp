@@ -256,6 +256,9 @@ TEST_F(CpuDevice, RefusesWhatItDoesNotKnow) {
   FrameJob blind = room_job(device().build(scene, "bvh", {}), "packet", Mode::primary);
   blind.camera.target = blind.camera.eye;
   EXPECT_THROW(device().render(blind, frame), std::invalid_argument);
+  blind.camera = {{-3.1973f, -4.31693f, -4.80525f}, {-2.72581f, -4.42221f, -5.68081f}, {}, 45};
+  blind.camera.up = (blind.camera.target - blind.camera.eye) * 6.55f;  // along the view but for rounding
+  EXPECT_THROW(device().render(blind, frame), std::invalid_argument);
 }
 
 std::filesystem::path bunny_file() {

@@ -60,7 +60,8 @@ TEST(Grid, StepsStayWithinTheSumOfTheResolutions) {
 TEST(Grid, ManyIdenticalTrianglesKeepTheLowestId) {
   const Mesh mesh = repeated({triangle({0, 0, 0}, {1, 0, 0.5f}, {0, 1, 0.25f})}, 100000);
   const Blob scene = make_scene(mesh);
-  const BuiltStructure grid = build_grid(scene, resolution(4, 4, 4));
+  const BuiltStructure grid = build_grid(scene, {});  // the density gives way: the triangles fill all cells
+  EXPECT_LT(grid.stats.references, 64u * 100000u + (1u << 24));
   expect_same_as_brute(view_of(scene), grid.blob.data(), mixed_rays(35, 10, mesh), kTrace, "identical");
 }
 

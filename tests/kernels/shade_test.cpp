@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "kernels/accel/traversals.h"
@@ -164,6 +165,83 @@ TEST(Spawn, NorDoesOneThatLeavesACoordinatePlane) {
     left += spawn_from(test::triangle(point(), point(), point()), random);
   }
   EXPECT_GT(left, 60000);
+}
+
+TEST(Spawn, AShellCloseByIsStillMet) {
+  // Two shells 4e-5 apart, also away from the origin: leaving the inner one outward, the outer one is hit.
+  for (const Vec3 centre : {Vec3{0, 0, 0}, Vec3{1, -2, 3}}) {
+    test::Mesh mesh = test::icosphere(4, 1.0f, centre);
+    const u32 inner = static_cast<u32>(mesh.size());
+    test::append(mesh, test::icosphere(4, 1.0f + 4e-5f, centre));
+    const Blob blob = test::make_scene(mesh);
+    const SceneView scene{blob.data()};
+    test::Random random(9);
+    BruteTracer tracer{scene, nullptr};
+    const bool active = true;
+    for (int k = 0; k < 300; ++k) {
+      const Vec3 d = random.direction();
+      const Ray out{centre, 0.0f, d, kMaxFloat};
+      Hit hit;
+      tracer.closest(&out, &active, &hit);
+      ASSERT_LT(hit.id, inner);
+      const Surface s = surface_at<true>(scene, hit, d);
+      const Ray leaving{spawn_origin(s, d), 0.0f, d, kMaxFloat};
+      tracer.closest(&leaving, &active, &hit);
+      ASSERT_TRUE(hit.id != kMiss && hit.id >= inner) << "ray " << k;
+      ASSERT_LT(hit.t, 1e-4f);
+    }
+  }
+}
+
+TEST(Surface, BrokenVertexNormalsFallBackToTheTriangle) {
+  const Vec3 a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0}, d{0, 0, -1};
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  for (const Vec3 broken : {Vec3{inf, 0, 1}, Vec3{nan, 0, 1}, Vec3{0, 0, 0}, Vec3{0, inf, -inf}}) {
+    const Surface s = surface_of(a, b, c, 0.25f, 0.25f, broken, d, 0);
+    EXPECT_EQ(s.normal, (Vec3{0, 0, 1}));
+  }
+}
+
+TEST(Surface, HasAUnitNormalAtAnySize) {
+  for (float scale : {1e-18f, 1e-12f, 1e-3f, 1.0f, 1e6f, 1e12f, 1e18f}) {
+    const Vec3 a{0, 0, 0}, b{scale, 0, scale}, c{0, 2 * scale, 0}, d{0, 0, -1};
+    EXPECT_NEAR(length(surface_of(a, b, c, 0.25f, 0.25f, {0, 0, 0}, d, 0).geometric_normal), 1.0f, 1e-6f) << scale;
+  }
+}
+
+TEST(Watertight, DistancesScaleWithTheScene) {
+  // By a power of two, so that nothing rounds differently: the same hits, t times the scale to the bit.
+  const test::Mesh mesh = test::icosphere(2, 2.0f);
+  test::Random random(10);
+  std::vector<Ray> rays;
+  for (int k = 0; k < 300; ++k)
+    rays.push_back({random.in_box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}), 0.0f, random.direction(), kMaxFloat});
+  const auto hits_at = [&](float scale) {
+    const Blob blob = test::make_scene(test::transformed(mesh, scale, {0, 0, 0}));
+    BruteTracer tracer{SceneView{blob.data()}, nullptr};
+    std::vector<Hit> hits(rays.size());
+    const bool active = true;
+    for (size_t i = 0; i < rays.size(); ++i) {
+      Ray ray = rays[i];
+      ray.o = ray.o * scale;
+      tracer.closest(&ray, &active, &hits[i]);
+    }
+    return hits;
+  };
+  const std::vector<Hit> unit = hits_at(1.0f);
+  for (int exponent : {-59, -45, -30, 30, 45, 59}) {
+    const float scale = std::ldexp(1.0f, exponent);
+    const std::vector<Hit> scaled = hits_at(scale);
+    for (size_t i = 0; i < rays.size(); ++i) {
+      ASSERT_NE(unit[i].id, kMiss);
+      ASSERT_EQ(scaled[i].id, unit[i].id) << "2^" << exponent;
+      if (std::abs(exponent) <= 45) {
+        ASSERT_EQ(scaled[i].t, unit[i].t * scale) << "2^" << exponent;
+      } else {  // the edge functions are near the end of the range and lose their last bits
+        ASSERT_NEAR(scaled[i].t / scale, unit[i].t, 1e-6f * unit[i].t) << "2^" << exponent;
+      }
+    }
+  }
 }
 
 TEST(DirectBatch, IsTheSameAsOneByOne) {

@@ -100,9 +100,9 @@ Header make_header(SceneView scene, const Config& config) {
   return grid;
 }
 
-/// Refuses a grid whose references could not be held, before anything is allocated.
-void check_candidates(SceneView scene, const Header& grid) {
-  const u64 candidates = tbb::parallel_reduce(
+/// Overlaps of triangle bounds and cells; counting stops somewhere above kMaxCandidates.
+u64 count_candidates(SceneView scene, const Header& grid) {
+  return tbb::parallel_reduce(
       TriangleRange(0, scene.triangle_count(), 1024), u64{0},
       [&](const TriangleRange& range, u64 sum) {
         for (u32 i = range.begin(); i < range.end() && sum <= kMaxCandidates; ++i) {
@@ -111,18 +111,30 @@ void check_candidates(SceneView scene, const Header& grid) {
         return sum;
       },
       std::plus<u64>{});
-  if (candidates > kMaxCandidates) {
+}
+
+/// The grid that is asked for. Refuses one whose references could not be held, before anything is allocated. Where the
+/// density decides, it is halved until triangles that are large against the cells do not fill the memory.
+Header settled_header(SceneView scene, Config config) {
+  Header grid = make_header(scene, config);
+  if (config.resolution[0] != 0 || config.resolution[1] != 0 || config.resolution[2] != 0) {
+    if (count_candidates(scene, grid) <= kMaxCandidates) return grid;
     throw std::invalid_argument("grid: at resolution " + as_text(grid) + " the triangles overlap more than " +
                                 std::to_string(kMaxCandidates) + " cells; choose fewer cells");
   }
+  const u64 most = kCandidatesATriangle * scene.triangle_count() + kFreeCandidates;
+  while (config.density * scene.triangle_count() > 1.0 && count_candidates(scene, grid) > most) {
+    config.density *= 0.5;
+    grid = make_header(scene, config);
+  }
+  return grid;
 }
 
 }  // namespace
 
 BuiltStructure build(SceneView scene, const Config& config) {
   const auto start = std::chrono::steady_clock::now();
-  Header grid = make_header(scene, config);
-  check_candidates(scene, grid);
+  Header grid = settled_header(scene, config);
   const u64 cells = u64{grid.resolution[0]} * grid.resolution[1] * grid.resolution[2];
 
   // Threads add to one set of counters; the order of references is settled by a sort at the end.

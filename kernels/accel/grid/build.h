@@ -13,8 +13,10 @@ struct Config {
   Insertion insertion = Insertion::kBounds;
 };
 
-constexpr u32 kMaxResolution = 16384;         // along one axis
-constexpr u64 kMaxCells = u64{1} << 28;       // 1 GiB of cell offsets
+constexpr u32 kMaxResolution = 16384;    // along one axis
+constexpr u64 kMaxCells = u64{1} << 28;  // 1 GiB of cell offsets
+// A grid by density has at most this many overlaps a triangle, and some for small scenes.
+constexpr u64 kCandidatesATriangle = 64, kFreeCandidates = u64{1} << 24;
 constexpr u64 kMaxCandidates = u64{1} << 30;  // overlaps of triangle bounds and cells: 4 GiB of references
 constexpr u64 kMaxCellsByDensity = u64{1} << 26;
 

@@ -10,7 +10,7 @@ namespace raywalk {
 namespace {
 
 constexpr u64 kMostElements = 0xffffffffull;
-constexpr long long kMostCorners = 10'000;  // of one face: cutting ears is quadratic
+constexpr long long kMostCorners = 1000;  // of one face: cutting ears is quadratic
 constexpr long long kMostMaterials = 65'536;
 
 template <class Rows>
