@@ -6,15 +6,12 @@
 #include <charconv>
 #include <cmath>
 
+#include "server/http/explain.h"
+#include "server/http/parse_json.h"
 #include "server/http/problem.h"
 
 namespace raywalk::http {
 namespace {
-
-const Json& resolve(const Json& document, const Json& node) {
-  if (!node.contains("$ref")) return node;
-  return resolve(document, document.at(Json::json_pointer(node.at("$ref").get<std::string>().substr(1))));
-}
 
 std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
@@ -32,10 +29,11 @@ struct ParameterSet {
 
   void add(const Json& document, const Json& parameter) {
     const std::string name = parameter.at("name");
-    const Json& type = resolve(document, parameter.at("schema"));
-    names.push_back({name, type.value("type", "") == "integer" || type.value("type", "") == "number"});
+    const Json& type = resolved(document, parameter.at("schema"));
+    const bool required = parameter.value("required", false);
+    names.push_back({name, type.value("type", "") == "integer" || type.value("type", "") == "number", required});
     schema["properties"][name] = parameter.at("schema");
-    if (parameter.value("required", false)) schema["required"].push_back(name);
+    if (required) schema["required"].push_back(name);
   }
 };
 
@@ -43,7 +41,7 @@ void read_parameters(const Json& document, const Json& path_item, const Json& op
   std::map<std::string, ParameterSet> sets;
   for (const Json* owner : {&path_item, &operation}) {
     for (const Json& node : owner->value("parameters", Json::array())) {
-      const Json& parameter = resolve(document, node);
+      const Json& parameter = resolved(document, node);
       const std::string name = parameter.at("name");
       if (name != "Accept") sets[parameter.at("in")].add(document, parameter);  // Accept is negotiated, not validated
     }
@@ -83,7 +81,8 @@ Json typed(const Parameter& parameter, const std::string& text) {
     const std::string name = o.pointer.empty() ? "" : o.pointer.substr(1);
     o.pointer = "?" + name;
   }
-  const std::string detail = "A " + where + " parameter is not as the contract says: " + offences.front().detail;
+  const std::string detail = "The " + where + " parameter '" + offences.front().pointer.substr(1) +
+                             "' is not as the contract says: " + offences.front().detail + ".";
   throw ApiError(400, "invalid_parameter", detail, std::move(offences));
 }
 
@@ -100,7 +99,7 @@ Contract::Contract(std::string_view openapi_json) : text_(openapi_json), documen
       read_parameters(document_, path_item, node, operation);
       read_body(document_, node, operation);
       if (const Json& responses = node.at("responses"); responses.contains("200")) {
-        const Json content = resolve(document_, responses.at("200")).value("content", Json::object());
+        const Json content = resolved(document_, responses.at("200")).value("content", Json::object());
         for (const auto& [type, unused] : content.items()) operation.answers.push_back(type);
       }
       operations_.push_back(std::move(operation));
@@ -120,12 +119,20 @@ void check_path(const Operation& operation, const std::map<std::string, std::str
 Json check_query(const Operation& operation, const std::multimap<std::string, std::string>& given) {
   Json query = Json::object();
   for (const auto& [name, text] : given) {
-    if (query.contains(name)) refuse_parameters("query", {{"/" + name, "It is given more than once."}});
+    if (query.contains(name)) refuse_parameters("query", {{"/" + name, "must not be given more than once"}});
     const auto known = std::find_if(operation.query.begin(), operation.query.end(),
                                     [&name = name](const Parameter& p) { return p.name == name; });
     query[name] = known == operation.query.end() ? Json(text) : typed(*known, text);
   }
-  if (auto offences = operation.query_check->check(query); !offences.empty()) refuse_parameters("query", offences);
+  if (auto offences = operation.query_check->check(query); !offences.empty()) {
+    for (const Parameter& p : operation.query) {
+      if (p.required && !query.contains(p.name)) offences.push_back({"/" + p.name, "must be given"});
+    }
+    if (!offences.back().pointer.empty()) {  // then those of the query as a whole, which has no name, are said
+      std::erase_if(offences, [](const Refusal::Offence& o) { return o.pointer.empty(); });
+    }
+    refuse_parameters("query", offences);
+  }
   operation.query_check->fill_defaults(query);
   return query;
 }
@@ -143,7 +150,7 @@ Json check_body(const Operation& operation, std::string_view text) {
   Json body = parse_json(text);
   if (auto offences = operation.body_check->check(body); !offences.empty()) {
     const std::string detail =
-        "The body is not as the contract says at '" + offences.front().pointer + "': " + offences.front().detail;
+        "The body is not as the contract says at '" + offences.front().pointer + "': " + offences.front().detail + ".";
     throw ApiError(422, "invalid_request", detail, std::move(offences));
   }
   operation.body_check->fill_defaults(body);

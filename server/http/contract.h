@@ -15,6 +15,7 @@ enum class BodyKind { none, json, bytes, file };
 struct Parameter {
   std::string name;
   bool is_number = false;  // integer or number
+  bool required = false;
 };
 
 /// One operation: what its request may hold.

@@ -29,8 +29,4 @@ class Validator {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Parses JSON at most 32 deep; whole numbers written as 1.0 or 1e3 become integers, as JSON Schema sees them.
-/// Throws ApiError 400 malformed_json.
-Json parse_json(std::string_view text);
-
 }  // namespace raywalk::http

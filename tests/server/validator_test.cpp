@@ -4,6 +4,7 @@
 #include <set>
 
 #include "server/http/contract.h"
+#include "server/http/parse_json.h"
 #include "server/http/problem.h"
 
 namespace raywalk::http {
@@ -66,6 +67,29 @@ TEST(Validator, PointsAtEachOffence) {
             Pointers{"/options/a"});
 }
 
+TEST(Validator, SaysWhatWasExpectedAndWhatWasGot) {
+  const auto why = [](const std::string& schema, const std::string& text) {
+    const auto offences = contract().schema(schema).check(parse_json(text));
+    return offences.size() == 1 ? offences[0].detail : "(" + std::to_string(offences.size()) + " offences)";
+  };
+  const auto frame = [&](const std::string& more) { return why("FrameRequest", "{" + kFrame + ", " + more + "}"); };
+  EXPECT_EQ(frame(R"("width": 9000)"), "must be at most 8192; it is 9000");
+  EXPECT_EQ(frame(R"("width": 0)"), "must be at least 1; it is 0");
+  EXPECT_EQ(frame(R"("width": 1.5)"), "must be an integer; it is 1.5");
+  EXPECT_EQ(frame(R"("width": "9")"), R"(must be an integer; it is "9")");
+  EXPECT_EQ(frame(R"("mode": "trace")"), R"(must be one of primary, shadow, whitted; it is "trace")");
+  EXPECT_EQ(frame(R"("camera": {"eye": [0, 0], "target": [0, 0, 1]})"), "must have 3 items; it is a list of 2");
+  EXPECT_EQ(frame(R"("camera": {"eye": [0, 0, 1e31], "target": [0, 0, 1]})"), "must be at most 1e30; it is 1e31");
+  EXPECT_EQ(frame(R"("camera": {"eye": [0, 0, 1]})"), "must have the field 'target'");
+  EXPECT_EQ(why("PathFrame", R"({"frame": 1, "x": 1})"), "there is no field 'x'; the fields are frame, of");
+  EXPECT_EQ(why("StructureRequest", R"({"scene": "S", "kind": "k"})"),
+            R"(must match ^[a-z0-9][a-z0-9_-]{0,63}$; it is "S")");
+  EXPECT_EQ(why("StructureRequest", R"({"scene": "s", "kind": "k", "options": {"a": [1]}})"),
+            "must be a number or a text; it is a list of 1");
+  EXPECT_EQ(why("BenchmarkSpec", R"({"scene": "s", "modes": []})"), "must have at least 1 item; it is a list of 0");
+  EXPECT_EQ(why("BenchmarkSpec", R"({"scene": "s", "modes": ["trace", "trace"]})"), R"(must not hold "trace" twice)");
+}
+
 TEST(Validator, WholeNumbersAreIntegersHoweverWritten) {
   for (const char* width : {"512", "512.0", "5.12e2"}) {
     EXPECT_EQ(pointers("FrameRequest", "{" + kFrame + ", \"width\": " + width + "}"), Pointers{}) << width;
@@ -80,6 +104,29 @@ TEST(ParseJson, RefusesWhatIsNotJson) {
                                   std::string("\"\xff\""), std::string(100'000, '[')}) {
     EXPECT_THROW(parse_json(text), ApiError) << text.substr(0, 20);
   }
+}
+
+std::string refusal_of(const std::string& text) {
+  try {
+    parse_json(text);
+  } catch (const ApiError& e) {
+    return e.offences().empty() ? e.what() : e.code() + " " + e.offences()[0].pointer;
+  }
+  return "";
+}
+
+TEST(ParseJson, SaysWhereItStopped) {
+  EXPECT_EQ(refusal_of(R"({"a": x})"), "The body is not JSON at byte 7: unexpected 'x'.");
+  EXPECT_EQ(refusal_of(R"({"a": 1)"), "The body is not JSON at byte 8: it ends too early.");
+  EXPECT_EQ(refusal_of("\"\xff\""), "The body is not JSON at byte 2: not UTF-8.");
+  EXPECT_EQ(refusal_of(""), "The body is empty; JSON is expected.");
+}
+
+TEST(ParseJson, RefusesFieldsThatComeTwice) {
+  EXPECT_EQ(refusal_of(R"({"a": 1, "b": 2, "a": 1})"), "duplicate_field /a");
+  EXPECT_EQ(refusal_of(R"({"s": {"t": [{"x": 1}, [], {"x": 1, "a/b": {}, "a/b": 2}]}})"),
+            "duplicate_field /s/t/2/a~1b");
+  EXPECT_EQ(refusal_of(R"({"a": {"a": [{"a": 1}, {"a": 1}]}, "b": {"a": 1}})"), "");
 }
 
 TEST(Contract, ParametersAreTypedAndChecked) {

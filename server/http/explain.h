@@ -1,0 +1,18 @@
+// Says in plain words where and why a value does not match its schema.
+#pragma once
+#include <vector>
+
+#include "server/http/message.h"
+#include "server/system/refusal.h"
+
+namespace raywalk::http {
+
+/// `node` itself, or what its `$ref` into `document` names.
+const Json& resolved(const Json& document, const Json& node);
+
+/// Every offence of `value` against `schema` with its JSON pointer, for the keywords that the contract uses; none where
+/// it finds none. Of alternatives (`anyOf`) the one that shares most fields with the value counts: what its sender had
+/// in mind. A missing field is an offence of the object that lacks it.
+std::vector<Refusal::Offence> explain(const Json& document, const Json& schema, const Json& value);
+
+}  // namespace raywalk::http
