@@ -34,9 +34,9 @@ Encoding encoding_for(const std::string& accept) {
 }
 
 FrameJob make_job(Services& s, const Json& q) {
-  const ScenePtr scene = s.scenes.loaded(q.at("scene"));
+  const ScenePtr scene = s.scenes.loaded(q.at("scene"), "/scene");
   FrameJob job;
-  job.structure = s.structures.ready(scene, q.at("structure"));
+  job.structure = s.structures.ready(scene, q.at("structure"), "/structure");
   const KindInfo& kind = kind_named(s.structures.kinds(), job.structure->kind(), "/structure");
   const TraversalInfo& traversal = traversal_named(kind, q.at("traversal"), "/traversal");
   if (traversal.baseline) {

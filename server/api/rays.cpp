@@ -1,6 +1,7 @@
 // Binary rays in, binary hits out.
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <span>
 
 #include "server/api/handlers.h"
@@ -11,6 +12,9 @@ namespace raywalk::api {
 namespace {
 
 static_assert(sizeof(Ray) == 32 && sizeof(Hit) == 16, "the wire layout of POST /v1/rays");
+
+/// What an infinite tmax stands for; the kernels take finite rays alone.
+constexpr float kUnbounded = std::numeric_limits<float>::max();
 
 template <class T>
 std::string bytes_of(const std::vector<T>& values) {
@@ -23,15 +27,18 @@ std::vector<Ray> parse_rays(const std::string& bytes) {
   }
   std::vector<Ray> rays(bytes.size() / sizeof(Ray));
   if (!rays.empty()) std::memcpy(rays.data(), bytes.data(), bytes.size());
+  for (Ray& ray : rays) {
+    if (ray.tmax == std::numeric_limits<float>::infinity()) ray.tmax = kUnbounded;
+  }
   return rays;
 }
 
 }  // namespace
 
 Response trace_rays(Services& s, const Request& r) {
-  const ScenePtr scene = s.scenes.loaded(r.query.at("scene"));
+  const ScenePtr scene = s.scenes.loaded(r.query.at("scene"), "?scene");
   RayJob job;
-  job.structure = s.structures.ready(scene, r.query.at("structure"));
+  job.structure = s.structures.ready(scene, r.query.at("structure"), "?structure");
   const KindInfo& kind = kind_named(s.structures.kinds(), job.structure->kind(), "?structure");
   const TraversalInfo& traversal = traversal_named(kind, r.query.at("traversal"), "?traversal");
   if (traversal.baseline) {

@@ -9,8 +9,8 @@ namespace raywalk::api {
 Response get_result(Services& s, const Request& r) {
   const Job job = s.jobs.find(r.path_parameter("job"));
   if (!job.result) {
-    throw Refusal(Refusal::Why::conflict, "no_result",
-                  job.ended() ? "The job ended without a result." : "The job has not ended yet.");
+    if (job.ended()) throw Refusal(Refusal::Why::conflict, "no_result", "The job ended without a result.");
+    throw Refusal(Refusal::Why::conflict, "no_result", "The job has not ended yet.").retryable();
   }
   if (negotiate(r.header("accept"), {"application/json", "text/csv"}) == "text/csv") {
     return {200, "text/csv", to_csv(*job.result)};

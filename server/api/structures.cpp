@@ -11,7 +11,7 @@ Response list_structures(Services& s, const Request&) {
 }
 
 Response build_structure(Services& s, const Request& r) {
-  const ScenePtr scene = s.scenes.loaded(r.json.at("scene"));
+  const ScenePtr scene = s.scenes.loaded(r.json.at("scene"), "/scene");
   const GivenOptions options = parse_options(r.json.value("options", Json::object()));
   const StructureRecord record = s.structures.build(scene, r.json.at("kind"), options);
   const bool ready = record.state == StructureRecord::State::ready;

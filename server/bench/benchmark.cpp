@@ -49,12 +49,14 @@ std::vector<Subject> make_subjects(const BenchmarkSpec& spec, const ScenePtr& sc
   return subjects;
 }
 
-std::vector<Subject> make_references(std::span<const Subject> subjects, const ScenePtr& scene, const Workplace& place) {
+std::vector<Subject> make_references(std::span<const Subject> subjects, const ScenePtr& scene, const Workplace& place,
+                                     const std::function<void(const BenchmarkProgress&)>& report) {
   std::vector<Subject> references;
   std::set<std::string> seen;
   for (const Subject& subject : subjects) {
     const TechniqueSpec technique = reference_of(subject.technique);
     if (!seen.insert(technique.structure).second) continue;
+    report({"building " + technique.structure + " for reference", false, kBuildPart, 0, 0});
     references.push_back({technique, BenchMode::primary,
                           place.structures.build_and_wait(scene, technique.structure, technique.options)});
   }
@@ -64,6 +66,7 @@ std::vector<Subject> make_references(std::span<const Subject> subjects, const Sc
 /// Holds the device for as long as it measures.
 Measurements measure_alone(const BenchmarkSpec& spec, const LoadedScene& scene, std::span<const Subject> subjects,
                            DeviceQueue& queue, const std::function<void(const BenchmarkProgress&)>& report) {
+  report({"waiting for the device", false, kBuildPart, 0, 0});
   DeviceQueue::Hold hold = queue.hold();
   std::vector<DeviceTechnique> techniques;
   std::vector<Technique*> pointers;
@@ -73,10 +76,14 @@ Measurements measure_alone(const BenchmarkSpec& spec, const LoadedScene& scene, 
     pointers.push_back(&techniques.back());
   }
   const MeasurePlan plan{spec.frames, spec.warmup, spec.repeats, spec.time_limit_s};
+  const std::string measuring = subjects.size() == 1
+                                    ? "measuring " + subjects[0].name()
+                                    : "measuring " + std::to_string(subjects.size()) + " combinations in turns";
   return measure(pointers, plan, [&](u64 done, u64 total) {
     const double part = static_cast<double>(done) / static_cast<double>(total);
-    report(
-        {"measuring " + subjects[done % subjects.size()].name(), false, kBuildPart + kMeasurePart * part, done, total});
+    const bool warming = done < subjects.size() * plan.warmup;
+    const std::string stage = warming ? "warming up " + subjects[done / plan.warmup].name() : measuring;
+    report({stage, false, kBuildPart + kMeasurePart * part, done, total});
   });
 }
 
@@ -123,7 +130,7 @@ std::vector<std::string> notes_on(const BenchmarkSpec& spec, const BenchmarkResu
 
 BenchmarkSpec checked(BenchmarkSpec spec, const Workplace& place) {
   const std::vector<KindInfo>& kinds = place.structures.kinds();
-  place.scenes.find(spec.scene);
+  place.scenes.find(spec.scene, "/spec/scene");
   if (spec.techniques.empty()) {
     for (const KindInfo& kind : kinds) {
       if (kind.name == kOracle) continue;
@@ -144,7 +151,7 @@ BenchmarkResult run_benchmark(const BenchmarkSpec& spec, const Workplace& place,
   BenchmarkResult result;
   result.scene = place.scenes.resident_or_load(spec.scene);
   const std::vector<Subject> subjects = make_subjects(spec, result.scene, place, report);
-  const std::vector<Subject> references = make_references(subjects, result.scene, place);
+  const std::vector<Subject> references = make_references(subjects, result.scene, place, report);
 
   Measurements measured = measure_alone(spec, *result.scene, subjects, place.queue, report);
   const u64 frames = u64{subjects.size()} * (spec.warmup + u64{spec.frames} * spec.repeats);

@@ -20,6 +20,8 @@ struct TechniqueSpec {
   std::string structure;
   std::string traversal;
   GivenOptions options;
+
+  bool operator==(const TechniqueSpec&) const = default;
 };
 
 struct BenchmarkSpec {
@@ -33,6 +35,8 @@ struct BenchmarkSpec {
   u32 repeats = 1;
   u32 error_frames = 4;
   double time_limit_s = 3600;
+
+  bool operator==(const BenchmarkSpec&) const = default;
 };
 
 struct ResultRow {
@@ -66,7 +70,7 @@ struct Workplace {
 
 /// What the run tells while it goes on.
 struct BenchmarkProgress {
-  std::string stage;  // for people
+  std::string stage;  // for people; the same from its begin to its end
   bool validating = false;
   double fraction = 0;  // of the whole
   u64 frames_done = 0, frames_total = 0;
@@ -76,8 +80,8 @@ struct BenchmarkProgress {
 /// options, and baselines in a mode other than trace.
 BenchmarkSpec checked(BenchmarkSpec spec, const Workplace& place);
 
-/// Loads, builds, measures alone on the device, then validates against the reference. `report` is called at least
-/// once a frame; what it throws ends the run.
+/// Loads, builds, warms up and measures alone on the device, then validates against the reference. `report` is called
+/// before each of these and at least once a frame; what it throws ends the run.
 BenchmarkResult run_benchmark(const BenchmarkSpec& spec, const Workplace& place,
                               const std::function<void(const BenchmarkProgress&)>& report);
 

@@ -42,7 +42,11 @@ JobQueue::~JobQueue() {
 JobQueue::Submitted JobQueue::submit(BenchmarkSpec spec, const std::string& key) {
   const std::lock_guard lock(mutex_);
   if (const auto known = keys_.find(key); !key.empty() && known != keys_.end()) {
-    return {snapshot(entry_of(known->second)), false};
+    const Entry& entry = entry_of(known->second);
+    if (entry.job.spec == spec) return {snapshot(entry), false};
+    throw Refusal(Refusal::Why::invalid, "idempotency_key_reused",
+                  "Job '" + entry.job.id + "' of this Idempotency-Key has another spec; take a new key.")
+        .at("/spec");
   }
   const auto waiting =
       std::count_if(entries_.begin(), entries_.end(), [](const auto& e) { return e->job.state == JobState::queued; });
@@ -129,7 +133,7 @@ void JobQueue::report(Entry& entry, const BenchmarkProgress& progress) {
   Job& job = entry.job;
   const JobState state = progress.validating ? JobState::validating : JobState::running;
   const auto now = std::chrono::steady_clock::now();
-  if (state == job.state && now - entry.reported < kReportInterval) return;
+  if (state == job.state && progress.stage == job.stage && now - entry.reported < kReportInterval) return;
   entry.reported = now;
   job.state = state;
   job.stage = progress.stage;

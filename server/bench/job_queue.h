@@ -53,7 +53,7 @@ class JobQueue {
     Job job;
     bool fresh;  // false: a job with this key was there
   };
-  /// `key` may be empty. Throws Refusal queue_full, unavailable when stopping.
+  /// `key` may be empty. Throws Refusal queue_full, idempotency_key_reused for another spec under a known key.
   Submitted submit(BenchmarkSpec spec, const std::string& key);
 
   /// Newest first.

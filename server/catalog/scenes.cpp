@@ -98,22 +98,26 @@ std::vector<std::string> Scenes::known_names() const {
   return names;
 }
 
-void Scenes::refuse_unknown(const std::string& name) const {
-  throw Refusal(Refusal::Why::unknown, "unknown_scene", "There is no scene '" + name + "'.").known(known_names());
+void Scenes::refuse_unknown(const std::string& name, const std::string& pointer) const {
+  Refusal refusal(Refusal::Why::unknown, "unknown_scene", "There is no scene '" + name + "'.");
+  if (!pointer.empty()) refusal.at(pointer);
+  throw refusal.known(known_names());
 }
 
-SceneEntry Scenes::find(const std::string& name) const {
+SceneEntry Scenes::find(const std::string& name, const std::string& pointer) const {
   for (SceneEntry& entry : list()) {
     if (entry.info.name == name) return std::move(entry);
   }
-  refuse_unknown(name);
+  refuse_unknown(name, pointer);
 }
 
-ScenePtr Scenes::loaded(const std::string& name) const {
+ScenePtr Scenes::loaded(const std::string& name, const std::string& pointer) const {
   if (ScenePtr scene = resident(name)) return scene;
-  find(name);
-  throw Refusal(Refusal::Why::conflict, "scene_not_loaded",
-                "Scene '" + name + "' is not loaded; load it with POST /v1/scenes {\"name\": \"" + name + "\"}.");
+  find(name, pointer);
+  Refusal refusal(Refusal::Why::conflict, "scene_not_loaded",
+                  "Scene '" + name + "' is not loaded; load it with POST /v1/scenes {\"name\": \"" + name + "\"}.");
+  if (!pointer.empty()) refusal.at(pointer);
+  throw refusal;
 }
 
 void Scenes::take_back(const std::string& name, const std::shared_ptr<Slot>& slot) {
@@ -131,7 +135,7 @@ ScenePtr Scenes::load_now(const std::string& name, std::optional<u64> triangles)
   const auto begin = std::chrono::steady_clock::now();
   std::vector<SceneInfo> all = list_scenes(scenes_dir_, data_dir_);
   const auto info = std::find_if(all.begin(), all.end(), [&](const SceneInfo& i) { return i.name == name; });
-  if (info == all.end()) refuse_unknown(name);
+  if (info == all.end()) refuse_unknown(name, "/name");
   try {
     return make_resident(load_scene(name, scenes_dir_, data_dir_, triangles), *info, /*uploaded=*/false, begin);
   } catch (const std::invalid_argument& e) {
@@ -186,6 +190,7 @@ ScenePtr Scenes::upload(const std::string& name, const std::filesystem::path& fi
   try {
     Scene mesh = load_mesh(file);
     mesh.source = "upload";
+    for (std::string& warning : mesh.warnings) warning = replaced(std::move(warning), file.string(), "upload");
     SceneInfo info;
     info.name = name;
     info.title = name;

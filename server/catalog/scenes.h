@@ -42,10 +42,11 @@ class Scenes {
          std::function<void(const std::string&, const ScenePtr&)> on_change);
 
   std::vector<SceneEntry> list() const;
-  /// Throws Refusal unknown_scene.
-  SceneEntry find(const std::string& name) const;
-  /// Throws Refusal unknown_scene, or scene_not_loaded.
-  ScenePtr loaded(const std::string& name) const;
+  /// Throws Refusal unknown_scene; `pointer` is where the request's body or query names the scene, empty if its path
+  /// does.
+  SceneEntry find(const std::string& name, const std::string& pointer = {}) const;
+  /// Throws Refusal unknown_scene, or scene_not_loaded; `pointer` as for `find`.
+  ScenePtr loaded(const std::string& name, const std::string& pointer = {}) const;
 
   struct Loading {
     ScenePtr scene;
@@ -75,7 +76,7 @@ class Scenes {
   };
 
   std::vector<std::string> known_names() const;
-  [[noreturn]] void refuse_unknown(const std::string& name) const;
+  [[noreturn]] void refuse_unknown(const std::string& name, const std::string& pointer) const;
   ScenePtr resident(const std::string& name) const;
   std::vector<ScenePtr> all_resident() const;
   ScenePtr load_now(const std::string& name, std::optional<u64> triangles) const;

@@ -19,9 +19,10 @@ std::string why_not_built(const std::string& scene, const std::string& kind, Sta
 }
 
 [[noreturn]] void refuse_not_built(const std::string& scene, const std::string& kind, State state,
-                                   const std::string& error) {
-  throw Refusal(Refusal::Why::conflict, "structure_not_built", why_not_built(scene, kind, state, error))
-      .at("/structure");
+                                   const std::string& error, const std::string& pointer) {
+  Refusal refusal(Refusal::Why::conflict, "structure_not_built", why_not_built(scene, kind, state, error));
+  if (state == State::building) refusal.retryable();
+  throw refusal.at(pointer);
 }
 
 }  // namespace
@@ -102,22 +103,23 @@ StructureRecord Structures::find(const std::string& id) const {
   throw refusal.known(std::move(ids));
 }
 
-StructurePtr Structures::ready(const ScenePtr& scene, const std::string& ref) const {
+StructurePtr Structures::ready(const ScenePtr& scene, const std::string& ref, const std::string& pointer) const {
   const std::string& name = scene->info.name;
   const bool is_id = ref.find('.') != std::string::npos;
   if (is_id && !ref.starts_with(name + ".")) {
     throw Refusal(Refusal::Why::invalid, "foreign_structure", "Structure '" + ref + "' is not of scene '" + name + "'.")
-        .at("/structure");
+        .at(pointer);
   }
   const std::string rest = is_id ? ref.substr(name.size() + 1) : ref;
-  const KindInfo& kind = kind_named(kinds_, rest.substr(0, rest.find('.')), "/structure");
+  const KindInfo& kind = kind_named(kinds_, rest.substr(0, rest.find('.')), pointer);
   const std::string id = is_id ? ref : name + "." + ref;
 
   const std::lock_guard lock(mutex_);
   const auto found = entries_.find(id);
-  if (found == entries_.end() || found->second->scene != scene) refuse_not_built(name, kind.name, State::ready, "");
+  if (found == entries_.end() || found->second->scene != scene)
+    refuse_not_built(name, kind.name, State::ready, "", pointer);
   const StructureRecord& record = found->second->record;
-  if (record.state != State::ready) refuse_not_built(name, kind.name, record.state, record.error);
+  if (record.state != State::ready) refuse_not_built(name, kind.name, record.state, record.error, pointer);
   return record.structure;
 }
 

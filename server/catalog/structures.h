@@ -44,8 +44,9 @@ class Structures {
   std::vector<StructureRecord> list() const;
   /// Throws Refusal unknown_structure.
   StructureRecord find(const std::string& id) const;
-  /// `ref` is a kind (with its default options) or an id. Throws Refusal unknown_kind, or structure_not_built.
-  StructurePtr ready(const ScenePtr& scene, const std::string& ref) const;
+  /// `ref` is a kind (with its default options) or an id, and `pointer` where the request names it. Throws Refusal
+  /// unknown_kind, foreign_structure, or structure_not_built.
+  StructurePtr ready(const ScenePtr& scene, const std::string& ref, const std::string& pointer) const;
 
   /// Throws Refusal unknown_structure.
   void evict(const std::string& id);

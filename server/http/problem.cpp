@@ -70,7 +70,7 @@ Json to_json(const Problem& problem, const std::string& instance, const std::str
                {"instance", instance},
                {"code", problem.code},
                {"errors", std::move(errors)},
-               {"retryable", problem.status == 429 || problem.status == 503},
+               {"retryable", problem.retryable},
                {"request_id", request_id}};
   if (!problem.known.empty()) body["known"] = problem.known;
   return body;
@@ -89,7 +89,7 @@ Problem problem_of_current_exception(const std::string& request_id) {
   } catch (const ApiError& e) {
     return {e.status(), e.code(), e.what(), e.offences()};
   } catch (const Refusal& e) {
-    return {status_of(e.why()), e.code(), e.what(), e.offences(), e.known_names()};
+    return {status_of(e.why()), e.code(), e.what(), e.offences(), e.known_names(), e.is_retryable()};
   } catch (const DeviceBusy& e) {
     return {503, e.code(), e.what()};
   } catch (const std::bad_alloc&) {

@@ -29,6 +29,7 @@ struct Problem {
   std::string detail;
   std::vector<Refusal::Offence> offences = {};
   std::vector<std::string> known = {};
+  bool retryable = status == 429 || status == 503;
 };
 
 int status_of(Refusal::Why why);

@@ -34,6 +34,11 @@ class Refusal : public std::runtime_error {
   }
   /// At `pointer`, with the detail of the refusal itself.
   Refusal& at(std::string pointer) { return at(std::move(pointer), what()); }
+  /// The same request may succeed later, though its kind of refusal does not say so.
+  Refusal& retryable() {
+    is_retryable_ = true;
+    return *this;
+  }
   Refusal& known(std::vector<std::string> names) {
     known_ = std::move(names);
     return *this;
@@ -43,12 +48,14 @@ class Refusal : public std::runtime_error {
   const std::string& code() const { return code_; }
   const std::vector<Offence>& offences() const { return offences_; }
   const std::vector<std::string>& known_names() const { return known_; }
+  bool is_retryable() const { return is_retryable_ || why_ == Why::too_many || why_ == Why::unavailable; }
 
  private:
   Why why_;
   std::string code_;
   std::vector<Offence> offences_;
   std::vector<std::string> known_;
+  bool is_retryable_ = false;
 };
 
 }  // namespace raywalk

@@ -118,7 +118,7 @@ def test_structure_by_id_and_camera_forms(daemon: Daemon, soup: str) -> None:
         ({"structure": "bvh.x"}, 422, "foreign_structure", {"/structure"}),
         ({"structure": "soup.bvh.00000000"}, 409, "structure_not_built", {"/structure"}),
         ({"traversal": "fastest"}, 404, "unknown_traversal", {"/traversal"}),
-        ({"scene": "nowhere"}, 404, "unknown_scene", set()),
+        ({"scene": "nowhere"}, 404, "unknown_scene", {"/scene"}),
         ({"scene": 5}, 422, "invalid_request", {"/scene"}),
     ],
 )  # fmt: skip
@@ -142,6 +142,13 @@ def test_malformed_json(daemon: Daemon, body: bytes) -> None:
     daemon.problem(
         "POST", "/v1/frames", 400, "malformed_json", content=body, headers={"Content-Type": "application/json"}
     )
+
+
+def test_a_field_that_comes_twice(daemon: Daemon) -> None:
+    body = b'{"scene": "soup", "structure": "bvh", "camera": {"frame": 1, "frame": 2}, "traversal": "packet"}'
+    headers = {"Content-Type": "application/json"}
+    problem = daemon.problem("POST", "/v1/frames", 400, "duplicate_field", content=body, headers=headers)
+    assert pointers(problem) == {"/camera/frame"}
 
 
 def test_wrong_content_type(daemon: Daemon) -> None:

@@ -58,6 +58,36 @@ def test_idempotency_key(daemon: Daemon, soup: str) -> None:
     again = daemon.submit(spec, 200, **{"Idempotency-Key": "once"})
     assert again["id"] == first["id"]
     assert daemon.finish(first)["state"] == "succeeded"
+    body = {"kind": "benchmark", "spec": {**spec, "frames": 5}}
+    headers = {"Idempotency-Key": "once"}
+    daemon.problem("POST", "/v1/jobs", 422, "idempotency_key_reused", json=body, headers=headers)
+
+
+def test_stages_are_announced(daemon: Daemon, soup: str) -> None:
+    techniques = [{"structure": "kdtree", "traversal": "short-stack-3", "options": {"traversal_cost": 7}}]
+    job = daemon.submit({**SMALL, "warmup": 30, "modes": ["primary"], "techniques": techniques})
+    with daemon.client.stream("GET", f"/v1/jobs/{job['id']}/events") as stream:
+        jobs = [job for _, job in events_of(stream.iter_lines())]
+    assert jobs[-1]["state"] == "succeeded"
+    stages = [job["stage"] for job in jobs]
+    # The stream tells the newest state alone, so a stage of no duration may be skipped; their order is fixed.
+    order = ["starting", "loading", "building", "waiting", "warming", "measuring", "comparing", "done"]
+    places = [order.index(stage.split()[0]) for stage in stages if stage != "waiting"]
+    assert places == sorted(places), stages
+
+
+def test_cancel_in_the_warm_up(daemon: Daemon, soup: str) -> None:
+    spec = {**LONG, "warmup": 1000, "width": 1024, "height": 1024}
+    job = daemon.submit(spec)
+    path = f"/v1/jobs/{job['id']}"
+    assert daemon.problem("GET", f"/v1/results/{job['id']}", 409, "no_result")["retryable"]
+    warm = daemon.wait(path, lambda j: j["frames_done"] > 2)
+    assert warm["stage"] == "warming up bvh/while-while"
+    assert warm["progress"] > 0
+    daemon.json("POST", f"{path}/cancel", 200)
+    ended = daemon.finish(job)
+    assert (ended["state"], ended["frames_done"] < 1000) == ("cancelled", True)
+    assert not daemon.problem("GET", f"/v1/results/{job['id']}", 409, "no_result")["retryable"]
 
 
 def test_time_limit(daemon: Daemon, soup: str) -> None:
@@ -103,7 +133,7 @@ def test_events(daemon: Daemon, soup: str) -> None:
 @pytest.mark.parametrize(
     ("change", "status", "code", "where"),
     [
-        ({"scene": "nowhere"}, 404, "unknown_scene", set()),
+        ({"scene": "nowhere"}, 404, "unknown_scene", {"/spec/scene"}),
         ({"frames": 0}, 422, "invalid_request", {"/spec/frames"}),
         ({"modes": []}, 422, "invalid_request", {"/spec/modes"}),
         ({"modes": ["fast"]}, 422, "invalid_request", {"/spec/modes/0"}),

@@ -44,11 +44,33 @@ def test_invalid_rays_miss_and_are_counted(daemon: Daemon, soup: str) -> None:
     bad["d"][1] = 0
     bad["d"][2, 0] = np.inf
     bad["tmin"][3] = np.nan
-    bad["tmax"][4] = np.inf
+    bad["tmax"][4] = -np.inf
     for structure, traversal in (("bvh", "while-while"), ("embree", "intersect"), ("brute", "loop")):
         answer = query(daemon, structure, traversal, bad.tobytes())
         assert answer.headers["x-invalid-rays"] == "5"
         assert (np.frombuffer(answer.content, HIT)["id"][:5] == MISS).all()
+
+
+def test_an_infinite_tmax_is_unbounded(daemon: Daemon, soup: str) -> None:
+    bounded, unbounded = rays(500), rays(500)
+    unbounded["tmax"] = np.inf
+    daemon.build(soup, "grid")
+    daemon.build(soup, "kdtree")
+    for structure, traversal in (
+        ("brute", "loop"),
+        ("bvh", "while-while"),
+        ("grid", "dda"),
+        ("kdtree", "short-stack-3"),
+        ("embree", "intersect"),
+    ):
+        answer = query(daemon, structure, traversal, unbounded.tobytes())
+        assert answer.headers["x-invalid-rays"] == "0"
+        hits = np.frombuffer(answer.content, HIT)
+        missed = hits["id"] == MISS
+        assert (hits["t"][missed] == np.finfo(np.float32).max).all()
+        expected = np.frombuffer(query(daemon, structure, traversal, bounded.tobytes()).content, HIT)
+        assert (hits[~missed] == expected[~missed]).all(), structure
+        assert ((expected["id"] == MISS) == missed).all(), structure
 
 
 def test_no_rays(daemon: Daemon, soup: str) -> None:
@@ -62,14 +84,23 @@ def test_no_rays(daemon: Daemon, soup: str) -> None:
         ({"query": "all"}, 400, "invalid_parameter", {"?query"}),
         ({"scene": ""}, 400, "invalid_parameter", {"?scene"}),
         ({"extra": "1"}, 400, "invalid_parameter", {"?extra"}),
+        ({"structure": "soup.bvh.00000000"}, 409, "structure_not_built", {"?structure"}),
         ({"traversal": "none"}, 404, "unknown_traversal", {"?traversal"}),
-        ({"scene": "nowhere"}, 404, "unknown_scene", set()),
+        ({"scene": "nowhere"}, 404, "unknown_scene", {"?scene"}),
     ],
 )
 def test_parameters(daemon: Daemon, soup: str, change: dict, status: int, code: str, where: set[str]) -> None:
     parameters = {"scene": soup, "structure": "bvh", "traversal": "while-while", **change}
     problem = daemon.problem("POST", "/v1/rays", status, code, params=parameters, content=b"", headers=BINARY)
     assert pointers(problem) == where
+
+
+def test_missing_parameters_are_named(daemon: Daemon) -> None:
+    parameters = {"scene": "soup"}
+    problem = daemon.problem(
+        "POST", "/v1/rays", 400, "invalid_parameter", params=parameters, content=b"", headers=BINARY
+    )
+    assert pointers(problem) == {"?structure", "?traversal"}
 
 
 def test_half_a_ray(daemon: Daemon, soup: str) -> None:

@@ -50,6 +50,20 @@ def test_unknown_scene_names_the_known(daemon: Daemon) -> None:
         assert "soup" in problem["known"]
 
 
+def test_bodies_that_name_an_unknown_scene_are_pointed_at(daemon: Daemon) -> None:
+    for path, body, where in (
+        ("/v1/scenes", {"name": "nowhere"}, "/name"),
+        ("/v1/structures", {"scene": "nowhere", "kind": "bvh"}, "/scene"),
+    ):
+        assert pointers(daemon.problem("POST", path, 404, "unknown_scene", json=body)) == {where}
+
+
+def test_warnings_do_not_tell_where_uploads_lie(daemon: Daemon) -> None:
+    warnings = daemon.client.put("/v1/scenes/warned", content=ply(0), headers=BINARY).json()["warnings"]
+    assert any(warning.startswith("upload: ") for warning in warnings), warnings
+    assert daemon.client.delete("/v1/scenes/warned").status_code == 204
+
+
 def test_cameras(daemon: Daemon, soup: str) -> None:
     assert len(daemon.json("GET", f"/v1/scenes/{soup}/cameras", 200)["cameras"]) == 400
     cameras = daemon.json("GET", f"/v1/scenes/{soup}/cameras?frames=4", 200)["cameras"]

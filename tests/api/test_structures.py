@@ -52,6 +52,7 @@ def test_scene_must_be_loaded(daemon: Daemon) -> None:
     daemon.client.delete("/v1/scenes/city")
     problem = daemon.problem("POST", "/v1/structures", 409, "scene_not_loaded", json={"scene": "city", "kind": "bvh"})
     assert "POST /v1/scenes" in problem["detail"]
+    assert pointers(problem) == {"/scene"}
 
 
 def test_one_build_a_key(daemon: Daemon) -> None:

@@ -78,30 +78,30 @@ TEST_F(StructuresTest, OneBuildAKey) {
 }
 
 TEST_F(StructuresTest, StatesAreTold) {
-  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh"); }), "structure_not_built");
-  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "octree"); }), "unknown_kind");
-  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "b.bvh"); }), "foreign_structure");
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh", "/structure"); }), "structure_not_built");
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "octree", "/structure"); }), "unknown_kind");
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "b.bvh", "/structure"); }), "foreign_structure");
   EXPECT_EQ(code_of([&] { structures_.find("a.bvh"); }), "unknown_structure");
   device_.build_time = 50ms;
   EXPECT_EQ(structures_.build(scene_, "bvh", {}).state, StructureRecord::State::building);
-  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh"); }), "structure_not_built");
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh", "/structure"); }), "structure_not_built");
   structures_.build_and_wait(scene_, "bvh", {});
-  EXPECT_TRUE(structures_.ready(scene_, "bvh"));
-  EXPECT_TRUE(structures_.ready(scene_, "a.bvh"));
+  EXPECT_TRUE(structures_.ready(scene_, "bvh", "/structure"));
+  EXPECT_TRUE(structures_.ready(scene_, "a.bvh", "/structure"));
 }
 
 TEST_F(StructuresTest, AFailedBuildIsTriedAgain) {
   device_.fail_builds = true;
   EXPECT_THROW(structures_.build_and_wait(scene_, "bvh", {}), std::runtime_error);
   EXPECT_EQ(structures_.find("a.bvh").error, "it fell over");
-  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh"); }), "structure_not_built");
+  EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh", "/structure"); }), "structure_not_built");
   device_.fail_builds = false;
   EXPECT_EQ(structures_.build_and_wait(scene_, "bvh", {}).state, StructureRecord::State::ready);
 }
 
 TEST_F(StructuresTest, EvictionLeavesWhatIsInUse) {
   structures_.build_and_wait(scene_, "bvh", {});
-  const StructurePtr used = structures_.ready(scene_, "bvh");
+  const StructurePtr used = structures_.ready(scene_, "bvh", "/structure");
   structures_.evict("a.bvh");
   EXPECT_EQ(code_of([&] { structures_.evict("a.bvh"); }), "unknown_structure");
   EXPECT_EQ(used->stats().references, 3u);
@@ -111,11 +111,11 @@ TEST_F(StructuresTest, EvictionLeavesWhatIsInUse) {
 TEST_F(StructuresTest, AReplacedSceneTakesItsStructuresAlong) {
   structures_.build_and_wait(scene_, "bvh", {});
   const ScenePtr newer = scene_named("a");
-  EXPECT_EQ(code_of([&] { structures_.ready(newer, "bvh"); }), "structure_not_built");
+  EXPECT_EQ(code_of([&] { structures_.ready(newer, "bvh", "/structure"); }), "structure_not_built");
   structures_.build_and_wait(newer, "embree", {});
   structures_.evict_scene("a", newer);
   EXPECT_EQ(structures_.list().size(), 1u);
-  EXPECT_TRUE(structures_.ready(newer, "embree"));
+  EXPECT_TRUE(structures_.ready(newer, "embree", "/structure"));
 }
 
 }  // namespace

@@ -59,6 +59,34 @@ TEST(JobQueue, TheSameKeyIsTheSameJob) {
   EXPECT_NE(other.job.id, first.job.id);
 }
 
+TEST(JobQueue, AKeyStandsForOneSpec) {
+  JobQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
+  jobs.submit({}, "k");
+  BenchmarkSpec other;
+  other.frames = 7;
+  try {
+    jobs.submit(other, "k");
+    FAIL() << "the key should be taken";
+  } catch (const Refusal& refusal) {
+    EXPECT_EQ(refusal.code(), "idempotency_key_reused");
+  }
+}
+
+TEST(JobQueue, EveryStageIsSeen) {
+  std::vector<std::string> seen;
+  JobQueue* queue = nullptr;
+  JobQueue jobs([&](const BenchmarkSpec&, const Report& report) {
+    for (const char* stage : {"loading", "building", "warming up", "measuring"}) {
+      for (int i = 0; i < 3; ++i) report({stage, false, 0.1, 1, 2});
+      seen.push_back(queue->list().front().stage);
+    }
+    return BenchmarkResult{};
+  });
+  queue = &jobs;
+  wait_for_end(jobs, jobs.submit({}, "").job.id);
+  EXPECT_EQ(seen, (std::vector<std::string>{"loading", "building", "warming up", "measuring"}));
+}
+
 TEST(JobQueue, CancelsWhatRunsAndWhatWaits) {
   JobQueue jobs(endless);
   const std::string running = jobs.submit({}, "").job.id, waiting = jobs.submit({}, "").job.id;
