@@ -21,7 +21,6 @@ from raywalk.client import Client
 from raywalk.daemon import LocalDaemon
 from raywalk.errors import RaywalkError
 
-
 PIPED_WIDTH = 200  # characters: room for the widest table
 
 
