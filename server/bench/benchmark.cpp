@@ -25,9 +25,7 @@ void check_technique(const TechniqueSpec& technique, const BenchmarkSpec& spec, 
   const KindInfo& kind = kind_named(kinds, technique.structure, pointer + "/structure");
   const TraversalInfo& traversal = traversal_named(kind, technique.traversal, pointer + "/traversal");
   complete_options(kind, technique.options, pointer + "/options");
-  const bool only_trace =
-      std::all_of(spec.modes.begin(), spec.modes.end(), [](BenchMode m) { return m == BenchMode::trace; });
-  if (traversal.baseline && !only_trace) {
+  if (traversal.baseline && std::find(spec.modes.begin(), spec.modes.end(), BenchMode::trace) == spec.modes.end()) {
     throw Refusal(Refusal::Why::invalid, "baseline_only_traces",
                   kind.name + "/" + traversal.name + " is a baseline: it is measured in mode trace alone.")
         .at(pointer + "/traversal");
@@ -44,7 +42,9 @@ std::vector<Subject> make_subjects(const BenchmarkSpec& spec, const ScenePtr& sc
     const StructureRecord structure = place.structures.build_and_wait(scene, technique.structure, technique.options);
     const KindInfo& kind = kind_named(place.structures.kinds(), technique.structure, "");
     const bool baseline = traversal_named(kind, technique.traversal, "").baseline;
-    for (const BenchMode mode : spec.modes) subjects.push_back({technique, mode, structure, baseline});
+    for (const BenchMode mode : spec.modes) {
+      if (!baseline || mode == BenchMode::trace) subjects.push_back({technique, mode, structure, baseline});
+    }
   }
   return subjects;
 }

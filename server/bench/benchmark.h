@@ -77,7 +77,7 @@ struct BenchmarkProgress {
 };
 
 /// Fills in the default techniques. Throws Refusal, with pointers under /spec, for techniques that do not exist, bad
-/// options, and baselines in a mode other than trace.
+/// options, and baselines where mode trace is not among the modes; they have no rows in others.
 BenchmarkSpec checked(BenchmarkSpec spec, const Workplace& place);
 
 /// Loads, builds, warms up and measures alone on the device, then validates against the reference. `report` is called

@@ -27,16 +27,15 @@ def test_defaults() -> None:
 
 
 @pytest.mark.parametrize(
-    ("spec", "jobs"),
+    ("spec", "traversals"),
     [
-        ({"modes": ["trace", "primary"]}, [["packet", "intersect"], ["loop-8"]]),
-        ({"modes": ["primary"]}, [["packet", "intersect"]]),
-        ({"modes": ["trace"], "techniques": [("embree", "loop-8")]}, [["loop-8"]]),
-        ({"modes": ["trace"], "techniques": [("embree", "loop-8"), ("bvh", "packet")]}, [["packet"], ["loop-8"]]),
-        ({"modes": ["trace"], "techniques": [("brute", "linear")]}, [["linear"]]),
+        ({"modes": ["trace", "primary"]}, ["packet", "intersect", "loop-8"]),
+        ({"modes": ["primary"]}, ["packet", "intersect"]),
+        ({"modes": ["trace"], "techniques": [("embree", "loop-8"), ("bvh", "packet")]}, ["loop-8", "packet"]),
+        ({"modes": ["primary"], "techniques": [("brute", "linear")]}, ["linear"]),
     ],
 )
-def test_bare_loops_have_their_own_job(client, daemon, result, spec, jobs) -> None:
+def test_one_job_measures_all_in_turns(client, daemon, result, spec, traversals) -> None:
     daemon.on("GET", "/v1/kinds", KINDS)
     daemon.on("POST", "/v1/jobs", JOB)
     ended = json.dumps(JOB | {"state": "succeeded", "result": "r1"})
@@ -48,15 +47,5 @@ def test_bare_loops_have_their_own_job(client, daemon, result, spec, jobs) -> No
         spec = spec | {"techniques": [{"structure": s, "traversal": t} for s, t in spec["techniques"]]}
     got = measure(client, BenchmarkSpec.model_validate({"scene": "bunny"} | spec), lambda _: None)
     sent = [json.loads(one.content)["spec"] for one in daemon.requests if one.url.path == "/v1/jobs"]
-    assert [[one["traversal"] for one in job["techniques"]] for job in sent] == jobs
-    assert sent[-1]["modes"] == (["trace"] if len(jobs) == 2 else spec["modes"])
-    assert len(got.rows) == len(jobs) * len(result.rows)
-
-
-def test_a_result_outlives_its_bare_loops(client, daemon, result) -> None:
-    daemon.on("GET", "/v1/kinds", KINDS)
-    daemon.on("POST", "/v1/jobs", JOB | {"state": "succeeded", "result": "r1"}, JOB | {"state": "failed"})
-    daemon.on("GET", "/v1/results/r1", result.model_dump(mode="json"))
-    got = measure(client, BenchmarkSpec(scene="bunny", modes=["trace"]), lambda _: None)
+    assert [[one["traversal"] for one in job["techniques"]] for job in sent] == [traversals]
     assert got.rows == result.rows
-    assert got.notes[-1].startswith("The bare loops are missing: the benchmark of bunny ended as failed")

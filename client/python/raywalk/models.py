@@ -435,7 +435,7 @@ class BenchmarkSpec(BaseModel):
     """
     techniques: Annotated[list[Technique] | None, Field(max_length=64, min_length=1)] = None
     """
-    All of the daemon when absent, but baselines and the brute-force oracle.
+    All of the daemon when absent, but baselines and the brute-force oracle. A baseline has a row in mode trace only.
     """
     modes: Annotated[
         list[Literal["trace", "primary", "shadow", "whitted"]] | None,

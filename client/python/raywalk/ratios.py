@@ -15,30 +15,30 @@ def ratios(result: BenchmarkResult) -> list[str]:
     rows = {(f"{row.structure}/{row.traversal}", row.mode): row for row in result.rows}
     lines = build_lines(result)
     loops = [rows[loop, "trace"] for loop in LOOPS if (loop, "trace") in rows]
-    if loops:
-        bare = min(loops, key=lambda row: row.frame_ms.median)
-        for mode, what in (("primary", "primary frame"), ("trace", "traversal of a frame")):
-            if frame := rows.get((ENGINE, mode)):
-                lines.append(overhead_line(what, frame, bare, result))
-    ours, theirs = rows.get((OURS, "trace")), rows.get((ENGINE, "trace"))
-    if ours and theirs and theirs.mrays_per_s:
-        share = ours.mrays_per_s / theirs.mrays_per_s
-        rates = f"{ours.mrays_per_s:.2f} and {theirs.mrays_per_s:.2f} Mrays/s"
-        lines.append(
-            f"{OURS} traces {share:.2f}x the rays of {ENGINE} ({rates})"
-            + verdict(result, share >= LEAST_SHARE, f"at least {LEAST_SHARE}x")
-        )
+    if loops and (frame := rows.get((ENGINE, "primary"))):
+        lines.append(overhead_line(frame, min(loops, key=lambda row: row.frame_ms.median), result))
+    if ours := rows.get((OURS, "trace")):
+        lines += [share_line(ours, rows[name, "trace"], result) for name in (ENGINE, *LOOPS) if (name, "trace") in rows]
     return lines
 
 
-def overhead_line(what: str, frame: ResultRow, bare: ResultRow, result: BenchmarkResult) -> str:
+def overhead_line(frame: ResultRow, bare: ResultRow, result: BenchmarkResult) -> str:
     ratio = frame.frame_ms.median / bare.frame_ms.median
     size = f"{result.spec.width}x{result.spec.height}"
     return (
-        f"{ENGINE}: a {size} {what} takes {ratio:.2f}x the bare loop {bare.structure}/{bare.traversal} "
+        f"{ENGINE}: a {size} primary frame takes {ratio:.2f}x the bare loop {bare.structure}/{bare.traversal} "
         f"({frame.frame_ms.median:.2f} and {bare.frame_ms.median:.2f} ms)"
         + verdict(result, ratio <= MOST_OVERHEAD, f"at most {MOST_OVERHEAD}x")
     )
+
+
+def share_line(ours: ResultRow, theirs: ResultRow, result: BenchmarkResult) -> str:
+    """The goal is one ray list for both; a bare loop, which makes its rays as it goes, is told without a verdict."""
+    name = f"{theirs.structure}/{theirs.traversal}"
+    share = ours.mrays_per_s / theirs.mrays_per_s if theirs.mrays_per_s else 0.0
+    rates = f"{ours.mrays_per_s:.2f} and {theirs.mrays_per_s:.2f} Mrays/s"
+    goal = verdict(result, share >= LEAST_SHARE, f"at least {LEAST_SHARE}x") if name == ENGINE else ""
+    return f"{OURS} traces {share:.2f}x the rays of {name} ({rates}){goal}"
 
 
 def build_lines(result: BenchmarkResult) -> list[str]:

@@ -8,9 +8,8 @@ import typer
 
 from raywalk.cli.session import connected, print_json, results, size, technique, words, writable_file
 from raywalk.client import Client
-from raywalk.errors import RaywalkError
 from raywalk.follow import benchmark
-from raywalk.models import BenchmarkResult, BenchmarkSpec, Job, Technique
+from raywalk.models import BenchmarkResult, BenchmarkSpec, Job
 from raywalk.progress import job_bar, messages
 from raywalk.ratios import ratios
 from raywalk.tables import table2, table_text, terminal
@@ -28,28 +27,12 @@ def spec_of(scene: str, techniques: str | None, modes: str, **numbers: object) -
 
 
 def measure(client: Client, spec: BenchmarkSpec, progress: Callable[[Job], None]) -> BenchmarkResult:
-    """Runs the job: all techniques when none are named. The daemon takes bare loops with mode trace alone, so they
-    follow in a job of their own."""
-    kinds = client.get_kinds()
-    loops, others = bare_loops(kinds), measured(kinds)
-    if spec.techniques is not None:
-        loops, others = chosen(loops, spec.techniques)
-    elif "trace" not in (spec.modes or []):
-        loops = []
-    if not loops or not others:
-        return benchmark(client, spec.model_copy(update={"techniques": others or loops}), progress)
-    result = benchmark(client, spec.model_copy(update={"techniques": others}), progress)
-    try:
-        rows = benchmark(client, spec.model_copy(update={"techniques": loops, "modes": ["trace"]}), progress).rows
-        note = "The bare loops were measured right after the others, in a job of their own."
-    except RaywalkError as error:  # what was measured before is worth keeping
-        rows, note = [], f"The bare loops are missing: {error}"
-    return result.model_copy(update={"rows": result.rows + rows, "notes": [*result.notes, note]})
-
-
-def chosen(loops: list[Technique], named: list[Technique]) -> tuple[list[Technique], list[Technique]]:
-    """The named techniques that are bare loops, and the others."""
-    return [one for one in named if one in loops], [one for one in named if one not in loops]
+    """Runs the job; when no techniques are named, with all of them, and in mode trace with the bare loops too."""
+    if spec.techniques is None:
+        kinds = client.get_kinds()
+        loops = bare_loops(kinds) if "trace" in (spec.modes or []) else []
+        spec = spec.model_copy(update={"techniques": measured(kinds) + loops})
+    return benchmark(client, spec, progress)
 
 
 def bench(
