@@ -40,4 +40,4 @@ def test_contract_holds(fresh_daemon: Daemon) -> None:
 
 @pytest.mark.slow
 def test_contract_holds_for_many_requests(fresh_daemon: Daemon) -> None:
-    run(fresh_daemon, 100, "coverage,fuzzing,stateful")
+    run(fresh_daemon, 30, "coverage,fuzzing,stateful")
