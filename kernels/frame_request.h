@@ -30,4 +30,10 @@ struct FrameArgs {
   u32 depth;  // bounces of secondary rays in Mode::whitted
 };
 
+/// Frames of one GPU launch, alike but for their cameras. Passed by value, it lies in constant memory.
+struct FrameBatch {
+  static constexpr u32 kMax = 16;
+  FrameArgs frames[kMax];
+};
+
 }  // namespace raywalk

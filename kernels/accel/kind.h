@@ -11,7 +11,7 @@
 namespace raywalk {
 
 /// One build option. A choice option's value is the index of the choice.
-struct BuildOption {
+struct Option {
   std::string_view name;
   std::string_view help;
   double default_value = 0;
@@ -21,7 +21,7 @@ struct BuildOption {
 };
 
 /// Complete: every option of the kind is present and inside its range (see `with_defaults`).
-using BuildOptions = std::map<std::string, double, std::less<>>;
+using OptionValues = std::map<std::string, double, std::less<>>;
 
 struct BuildStats {
   u64 nodes = 0;       // inner nodes and leaves; cells for a grid
@@ -42,14 +42,14 @@ struct BuiltStructure {
 struct Kind {
   std::string_view name;
   std::string_view help;
-  std::vector<BuildOption> options;
+  std::vector<Option> options;
   /// Deterministic: the same scene and options give the same bytes, whatever the number of threads.
-  BuiltStructure (*build)(SceneView scene, const BuildOptions& options);
+  BuiltStructure (*build)(SceneView scene, const OptionValues& options);
 };
 
 /// Fills in defaults. Throws std::invalid_argument that names the option when one is unknown, out of range or not
 /// whole.
-BuildOptions with_defaults(const Kind& kind, const BuildOptions& given);
+OptionValues with_defaults(const Kind& kind, const OptionValues& given);
 
 /// All kinds of the kernels, in the order of the documentation.
 const std::vector<const Kind*>& kinds();

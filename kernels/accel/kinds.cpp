@@ -11,7 +11,7 @@
 namespace raywalk {
 namespace {
 
-void check(const Kind& kind, const BuildOption& option, double value) {
+void check(const Kind& kind, const Option& option, double value) {
   const std::string where = std::string(kind.name) + " option " + std::string(option.name);
   const double max = option.choices.empty() ? option.max : static_cast<double>(option.choices.size()) - 1;
   const double min = option.choices.empty() ? option.min : 0;
@@ -25,15 +25,15 @@ void check(const Kind& kind, const BuildOption& option, double value) {
 
 }  // namespace
 
-BuildOptions with_defaults(const Kind& kind, const BuildOptions& given) {
-  BuildOptions complete;
-  for (const BuildOption& option : kind.options) complete.emplace(option.name, option.default_value);
+OptionValues with_defaults(const Kind& kind, const OptionValues& given) {
+  OptionValues complete;
+  for (const Option& option : kind.options) complete.emplace(option.name, option.default_value);
   for (const auto& [name, value] : given) {
     const auto known = complete.find(name);
     if (known == complete.end()) throw std::invalid_argument(std::string(kind.name) + " has no option " + name);
     known->second = value;
   }
-  for (const BuildOption& option : kind.options) check(kind, option, complete.find(option.name)->second);
+  for (const Option& option : kind.options) check(kind, option, complete.find(option.name)->second);
   return complete;
 }
 

@@ -17,7 +17,7 @@ Vec3 parse_vec3(const Json& json) {
           static_cast<float>(json[2].get<double>())};
 }
 
-Json option_json(const OptionValue& value) {
+Json option_json(const GivenOption& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   const double number = std::get<double>(value);
   if (std::floor(number) == number && std::abs(number) < 1e15) return static_cast<std::int64_t>(number);
@@ -26,13 +26,13 @@ Json option_json(const OptionValue& value) {
 
 Json options_json(const StructureRecord& record, const std::vector<KindInfo>& kinds) {
   Json options = Json::object();
-  for (const BuildOption& option : kind_named(kinds, record.kind, "").options) {
+  for (const Option& option : kind_named(kinds, record.kind, "").options) {
     options[std::string(option.name)] = option_json(shown_option(option, record.options.find(option.name)->second));
   }
   return options;
 }
 
-Json to_json(const BuildOption& option) {
+Json to_json(const Option& option) {
   Json json = {{"name", option.name}, {"help", option.help}};
   json["default"] = option_json(shown_option(option, option.default_value));
   if (!option.choices.empty()) {
@@ -104,7 +104,7 @@ Json to_json(const StructureRecord& record, const std::vector<KindInfo>& kinds) 
 
 Json to_json(const KindInfo& kind) {
   Json options = Json::array(), traversals = Json::array();
-  for (const BuildOption& option : kind.options) options.push_back(to_json(option));
+  for (const Option& option : kind.options) options.push_back(to_json(option));
   for (const TraversalInfo& t : kind.traversals) {
     traversals.push_back({{"name", t.name}, {"help", t.help}, {"baseline", t.baseline}});
   }

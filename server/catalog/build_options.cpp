@@ -23,12 +23,12 @@ std::string brief(double value) {
   return text;
 }
 
-[[noreturn]] void refuse(const BuildOption& option, const std::string& pointer, const std::string& why) {
+[[noreturn]] void refuse(const Option& option, const std::string& pointer, const std::string& why) {
   const std::string name(option.name);
   throw Refusal(Refusal::Why::invalid, "invalid_option", "Option '" + name + "' " + why).at(pointer + "/" + name);
 }
 
-double choice_index(const BuildOption& option, const std::string& value, const std::string& pointer) {
+double choice_index(const Option& option, const std::string& value, const std::string& pointer) {
   const auto found = std::find(option.choices.begin(), option.choices.end(), value);
   if (found == option.choices.end()) {
     std::string all;
@@ -38,7 +38,7 @@ double choice_index(const BuildOption& option, const std::string& value, const s
   return static_cast<double>(found - option.choices.begin());
 }
 
-double number(const BuildOption& option, double value, const std::string& pointer) {
+double number(const Option& option, double value, const std::string& pointer) {
   if (!option.choices.empty()) refuse(option, pointer, "takes the name of a choice, not a number.");
   if (!(value >= option.min && value <= option.max)) {
     refuse(option, pointer, "is from " + brief(option.min) + " to " + brief(option.max) + ".");
@@ -67,9 +67,9 @@ const TraversalInfo& traversal_named(const KindInfo& kind, const std::string& na
       .known(names_of(kind.traversals));
 }
 
-BuildOptions complete_options(const KindInfo& kind, const GivenOptions& given, const std::string& pointer) {
-  BuildOptions options;
-  for (const BuildOption& option : kind.options) {
+OptionValues complete_options(const KindInfo& kind, const GivenOptions& given, const std::string& pointer) {
+  OptionValues options;
+  for (const Option& option : kind.options) {
     const std::string name(option.name);
     const auto found = given.find(name);
     if (found == given.end()) {
@@ -90,15 +90,15 @@ BuildOptions complete_options(const KindInfo& kind, const GivenOptions& given, c
   return options;
 }
 
-OptionValue shown_option(const BuildOption& option, double value) {
+GivenOption shown_option(const Option& option, double value) {
   if (option.choices.empty()) return value;
   return std::string(option.choices.at(static_cast<std::size_t>(value)));
 }
 
-std::string structure_id(const std::string& scene, const KindInfo& kind, const BuildOptions& options) {
+std::string structure_id(const std::string& scene, const KindInfo& kind, const OptionValues& options) {
   u32 hash = 2166136261u;  // FNV-1a
   bool all_default = true;
-  for (const BuildOption& option : kind.options) {
+  for (const Option& option : kind.options) {
     const double value = options.find(option.name)->second;
     all_default = all_default && value == option.default_value;
     for (const char c : std::string(option.name) + "=" + brief(value) + ";") {

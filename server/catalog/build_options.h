@@ -10,8 +10,8 @@
 namespace raywalk {
 
 /// A number, or the name of a choice.
-using OptionValue = std::variant<double, std::string>;
-using GivenOptions = std::map<std::string, OptionValue>;
+using GivenOption = std::variant<double, std::string>;
+using GivenOptions = std::map<std::string, GivenOption>;
 
 /// Throws Refusal unknown_kind; `pointer` is where the request names the kind.
 const KindInfo& kind_named(const std::vector<KindInfo>& kinds, const std::string& name, const std::string& pointer);
@@ -19,12 +19,12 @@ const KindInfo& kind_named(const std::vector<KindInfo>& kinds, const std::string
 const TraversalInfo& traversal_named(const KindInfo& kind, const std::string& name, const std::string& pointer);
 
 /// Complete options: defaults, overridden by `given`. Throws Refusal invalid_option with a pointer under `pointer`.
-BuildOptions complete_options(const KindInfo& kind, const GivenOptions& given, const std::string& pointer);
+OptionValues complete_options(const KindInfo& kind, const GivenOptions& given, const std::string& pointer);
 
 /// The option as a request would give it.
-OptionValue shown_option(const BuildOption& option, double value);
+GivenOption shown_option(const Option& option, double value);
 
 /// `<scene>.<kind>` for default options, else `<scene>.<kind>.<8 hex digits of the options>`.
-std::string structure_id(const std::string& scene, const KindInfo& kind, const BuildOptions& options);
+std::string structure_id(const std::string& scene, const KindInfo& kind, const OptionValues& options);
 
 }  // namespace raywalk

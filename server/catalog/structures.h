@@ -21,7 +21,7 @@ struct StructureRecord {
   std::string id;
   std::string scene;
   std::string kind;
-  BuildOptions options;
+  OptionValues options;
   u64 triangles = 0;  // of the scene
   State state = State::building;
   std::string error;       // when failed

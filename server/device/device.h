@@ -1,9 +1,11 @@
 // What the service asks of whatever renders: build structures, render frames, trace rays. One thread at a time may call
 // it.
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,12 +21,14 @@ struct TraversalInfo {
   std::string help;
   /// True for a bare loop that only bounds what is possible: mode trace of a benchmark, nothing else.
   bool baseline = false;
+  /// Of the kernel that runs it, such as a register cap; none where the device has no choice.
+  std::vector<Option> options = {};
 };
 
 struct KindInfo {
   std::string name;
   std::string help;
-  std::vector<BuildOption> options;
+  std::vector<Option> options;  // of the builder
   std::vector<TraversalInfo> traversals;
 };
 
@@ -47,6 +51,7 @@ struct FrameJob {
   Mode mode = Mode::primary;
   u32 depth = 2;
   Output output = Output::color;
+  OptionValues kernel = {};  // options of the traversal; absent ones have their defaults
 };
 
 /// Rows top down, channels interleaved: color and normal 3 (color is linear RGB), depth and id 1, steps 2.
@@ -67,21 +72,86 @@ struct RayJob {
   std::shared_ptr<const Structure> structure;
   std::string traversal;
   std::span<const Ray> rays;
+  OptionValues kernel = {};
+};
+
+/// What a benchmark times: closest hits of primary rays that lie in memory, or shaded frames.
+enum class Work { trace, frame };
+
+/// The kernel of one measurement, as its driver reports it: a row of the study's Table 3.
+struct KernelFigures {
+  u32 registers = 0;     // a thread
+  u32 local_bytes = 0;   // a thread: stack and spills
+  u32 shared_bytes = 0;  // a block
+  u32 threads_per_block = 0;
+  u32 blocks_per_multiprocessor = 0;  // resident at once
+  double occupancy = 0;               // resident threads of those that the multiprocessor could hold
+  u64 binary_bytes = 0;
+};
+
+/// One reading of the device's sensors.
+struct Telemetry {
+  u32 core_clock_mhz = 0, memory_clock_mhz = 0;
+  double power_w = 0, power_limit_w = 0;
+  u32 temperature_c = 0;
+  std::vector<std::string> throttle_reasons;  // empty: none
+};
+
+/// What the service tells of the device.
+struct DeviceInfo {
+  std::string name;  // such as the processor's model name
+  std::string kind;  // cpu, cuda
+  u32 threads = 1;   // of the host that render or build
+  /// Driver, compiler, architecture and the like, by name; empty for a CPU.
+  std::map<std::string, std::string> details = {};
+};
+
+/// Memory of the device itself; all 0 for a CPU, whose structures lie in the daemon's memory.
+struct DeviceMemory {
+  u64 total_bytes = 0, free_bytes = 0, resident_bytes = 0;
+};
+
+/// A request needs more device memory than there is, with everything evicted that nobody uses.
+class OutOfDeviceMemory : public std::runtime_error {
+ public:
+  OutOfDeviceMemory(u64 needed_bytes, u64 free_bytes);
+  u64 needed_bytes() const { return needed_bytes_; }
+  u64 free_bytes() const { return free_bytes_; }
+
+ private:
+  u64 needed_bytes_, free_bytes_;
+};
+
+/// The device cannot be used any more by this process: the daemon ends, and its supervisor starts another.
+class DeviceLost : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 class Device {
  public:
   virtual ~Device() = default;
-  /// Of the device itself, such as the processor's model name.
-  virtual std::string name() const = 0;
-  virtual u32 threads() const = 0;
+  virtual const DeviceInfo& info() const = 0;
   virtual const std::vector<KindInfo>& kinds() const = 0;
   /// Throws std::invalid_argument for an option out of range, std::bad_alloc when memory ends.
   virtual std::shared_ptr<const Structure> build(std::shared_ptr<const Blob> scene, const std::string& kind,
-                                                 const BuildOptions& options) = 0;
+                                                 const OptionValues& options) = 0;
   /// Reuses the storage of `frame`.
   virtual void render(const FrameJob& job, Frame& frame) = 0;
   virtual void trace_primary(const FrameJob& job, PrimaryHits& hits) = 0;
+
+  /// Most frames that `measure` takes at once.
+  virtual u32 max_batch() const = 0;
+  /// Performs `jobs`, which differ in their cameras alone, in one launch and keeps nothing of it. The time in ms of
+  /// all together, without transfers, ray generation for Work::trace, and whatever a first use has to prepare.
+  virtual double measure(std::span<const FrameJob> jobs, Work work) = 0;
+  /// Of the kernel that `measure` runs for such a job; nothing where there is no such thing.
+  virtual std::optional<KernelFigures> kernel_figures(const FrameJob& job, Work work) = 0;
+  /// Nothing where there are no sensors. From any thread.
+  virtual std::optional<Telemetry> telemetry() const = 0;
+  /// From any thread.
+  virtual DeviceMemory memory() const = 0;
+
   /// Work of all rays of the frame's mode, from a separately compiled kernel; only `rays` where the technique cannot
   /// count.
   virtual Counts count(const FrameJob& job) = 0;

@@ -270,7 +270,7 @@ TEST_F(CpuDevice, GridOfTheBunnyHasTheStudysReferences) {
   const std::filesystem::path file = bunny_file();
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original bunny is not at " << file;
   const SceneBlob scene = std::make_shared<const Blob>(pack(load_mesh(file)));
-  BuildOptions options;
+  OptionValues options;
   const auto by_density = device().build(scene, "grid", options);
   EXPECT_EQ(by_density->stats().leaves, 83u * 82u * 64u);
   options = {{"resolution_x", 83}, {"resolution_y", 82}, {"resolution_z", 64}};

@@ -148,8 +148,8 @@ TEST(BvhBuild, RefusesAConfigurationOutOfRange) {
 TEST(BvhBuild, KindBuildsWithItsDefaults) {
   const Kind& kind = bvh::kind();
   EXPECT_EQ(kind.name, "bvh");
-  BuildOptions options;
-  for (const BuildOption& option : kind.options) {
+  OptionValues options;
+  for (const Option& option : kind.options) {
     EXPECT_LE(option.min, option.default_value);
     EXPECT_LE(option.default_value, option.max);
     EXPECT_FALSE(option.help.empty());

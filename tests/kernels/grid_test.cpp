@@ -13,16 +13,16 @@ namespace {
 
 const auto kTrace = [](auto&&... arguments) { grid::dda::traverse(arguments...); };
 
-BuildOptions resolution(double x, double y, double z, bool exact = false) {
+OptionValues resolution(double x, double y, double z, bool exact = false) {
   return {{"resolution_x", x}, {"resolution_y", y}, {"resolution_z", z}, {"insertion", exact ? 1 : 0}};
 }
 
-BuiltStructure build_grid(const Blob& scene, const BuildOptions& options = {}) {
+BuiltStructure build_grid(const Blob& scene, const OptionValues& options = {}) {
   return grid::kind().build(view_of(scene), options_of(grid::kind(), options));
 }
 
 TEST(Grid, HitsAsBruteForce) {
-  const BuildOptions variants[] = {
+  const OptionValues variants[] = {
       {}, {{"insertion", 1}}, resolution(8, 8, 8), resolution(1, 1, 1), resolution(37, 5, 64, true)};
   for (const SpatialCase& c : spatial_cases()) {
     const Blob scene = make_scene(c.mesh);
@@ -39,7 +39,7 @@ TEST(Grid, SkipsNoCellAtHighResolution) {
   const Mesh mesh = random_soup(31, 40, 0.05f);
   const Blob scene = make_scene(mesh);
   const std::vector<Ray> rays = mixed_rays(32, 1500, mesh);
-  for (const BuildOptions& options : {resolution(1024, 1024, 1), resolution(256, 256, 256), resolution(1, 4096, 64)}) {
+  for (const OptionValues& options : {resolution(1024, 1024, 1), resolution(256, 256, 256), resolution(1, 4096, 64)}) {
     const BuiltStructure grid = build_grid(scene, options);
     expect_same_as_brute(view_of(scene), grid.blob.data(), rays, kTrace, "fine grid");
   }
@@ -111,7 +111,7 @@ TEST(Grid, RefusesWhatMemoryCannotHold) {
 
 TEST(Grid, SameBytesWithAnyNumberOfThreads) {
   const Blob scene = make_scene(random_soup(39, 30000, 0.1f));
-  for (const BuildOptions& options : {BuildOptions{}, BuildOptions{{"insertion", 1}}}) {
+  for (const OptionValues& options : {OptionValues{}, OptionValues{{"insertion", 1}}}) {
     const BuiltStructure many = build_grid(scene, options);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     const BuiltStructure single = build_grid(scene, options);

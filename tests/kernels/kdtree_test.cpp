@@ -15,7 +15,7 @@ namespace {
 const auto kTrace3 = [](auto&&... arguments) { kdtree::short_stack_3::traverse(arguments...); };
 const auto kTrace2 = [](auto&&... arguments) { kdtree::short_stack_2::traverse(arguments...); };
 
-BuiltStructure build_tree(const Blob& scene, const BuildOptions& options = {}) {
+BuiltStructure build_tree(const Blob& scene, const OptionValues& options = {}) {
   return kdtree::kind().build(view_of(scene), options_of(kdtree::kind(), options));
 }
 
@@ -26,10 +26,10 @@ void expect_same(const Blob& scene, const Blob& tree, const std::vector<Ray>& ra
 }
 
 /// Splits as long as the depth allows: deep trees, many restarts.
-const BuildOptions kEager{{"traversal_cost", 0.01}, {"intersection_cost", 100}, {"empty_bonus", 0.9}};
+const OptionValues kEager{{"traversal_cost", 0.01}, {"intersection_cost", 100}, {"empty_bonus", 0.9}};
 
 TEST(KdTree, HitsAsBruteForce) {
-  const BuildOptions variants[] = {{}, {{"sah", 1}}, kEager, {{"empty_bonus", 0}, {"traversal_cost", 0.2}}};
+  const OptionValues variants[] = {{}, {{"sah", 1}}, kEager, {{"empty_bonus", 0}, {"traversal_cost", 0.2}}};
   for (const SpatialCase& c : spatial_cases()) {
     const Blob scene = make_scene(c.mesh);
     const std::vector<Answer> answers = brute_force(view_of(scene), c.rays);

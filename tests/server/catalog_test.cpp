@@ -37,7 +37,7 @@ class StructuresTest : public testing::Test {
   ScenePtr scene_ = scene_named("a");
 };
 
-TEST(BuildOptions, DefaultsRangesAndChoices) {
+TEST(OptionValues, DefaultsRangesAndChoices) {
   test::FakeDevice device;
   const KindInfo& kind = device.kinds()[0];
   EXPECT_EQ(complete_options(kind, {}, "").at("bins"), 32);
@@ -51,7 +51,7 @@ TEST(BuildOptions, DefaultsRangesAndChoices) {
   EXPECT_EQ(code({{"speed", 1.0}}), "unknown_option");
 }
 
-TEST(BuildOptions, IdsNameOptionsThatAreNotTheDefault) {
+TEST(OptionValues, IdsNameOptionsThatAreNotTheDefault) {
   test::FakeDevice device;
   const KindInfo& kind = device.kinds()[0];
   const auto id = [&](GivenOptions given) { return structure_id("s", kind, complete_options(kind, given, "")); };

@@ -25,7 +25,7 @@ class FakeDevice : public Device {
   u32 threads() const override { return 1; }
   const std::vector<KindInfo>& kinds() const override { return kinds_; }
   std::shared_ptr<const Structure> build(std::shared_ptr<const Blob>, const std::string& kind,
-                                         const BuildOptions&) override {
+                                         const OptionValues&) override {
     ++builds;
     std::this_thread::sleep_for(build_time);
     if (fail_builds) throw std::runtime_error("it fell over");

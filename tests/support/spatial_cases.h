@@ -20,9 +20,9 @@ struct SpatialCase {
 };
 
 /// The options' defaults, with some replaced.
-inline BuildOptions options_of(const Kind& kind, const BuildOptions& given = {}) {
-  BuildOptions options = given;
-  for (const BuildOption& option : kind.options) options.emplace(option.name, option.default_value);
+inline OptionValues options_of(const Kind& kind, const OptionValues& given = {}) {
+  OptionValues options = given;
+  for (const Option& option : kind.options) options.emplace(option.name, option.default_value);
   return options;
 }
 

@@ -5,7 +5,7 @@ namespace raywalk::brute {
 
 const Kind& kind() {
   static const Kind kKind{
-      "brute", "no structure: every ray meets every triangle", {}, [](SceneView scene, const BuildOptions&) {
+      "brute", "no structure: every ray meets every triangle", {}, [](SceneView scene, const OptionValues&) {
         BuiltStructure built{Blob(0), {}};
         built.stats.references = scene.triangle_count();
         return built;

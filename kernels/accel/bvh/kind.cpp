@@ -6,7 +6,7 @@
 namespace raywalk::bvh {
 namespace {
 
-BuiltStructure build_with(SceneView scene, const BuildOptions& options) {
+BuiltStructure build_with(SceneView scene, const OptionValues& options) {
   Config config;
   config.bins = static_cast<u32>(options.at("bins"));
   config.max_leaf = static_cast<u32>(options.at("max_leaf"));

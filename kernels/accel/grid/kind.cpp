@@ -6,7 +6,7 @@
 namespace raywalk::grid {
 namespace {
 
-BuiltStructure build_from_options(SceneView scene, const BuildOptions& options) {
+BuiltStructure build_from_options(SceneView scene, const OptionValues& options) {
   const auto whole = [&](std::string_view name) { return static_cast<u32>(options.find(name)->second); };
   Config config;
   config.resolution[0] = whole("resolution_x");

@@ -6,7 +6,7 @@
 namespace raywalk::kdtree {
 namespace {
 
-BuiltStructure build_from_options(SceneView scene, const BuildOptions& options) {
+BuiltStructure build_from_options(SceneView scene, const OptionValues& options) {
   Config config;
   config.sah = options.find("sah")->second == 0 ? Sah::kExact : Sah::kSampled;
   config.traversal_cost = options.find("traversal_cost")->second;

@@ -53,7 +53,7 @@ class CpuDevice final : public Device {
   const std::vector<KindInfo>& kinds() const override { return infos_; }
 
   std::shared_ptr<const Structure> build(std::shared_ptr<const Blob> scene, const std::string& kind,
-                                         const BuildOptions& options) override {
+                                         const OptionValues& options) override {
     const CpuKind& found = kind_of(kind);
     return runner_.inside([&] { return found.build(std::move(scene), found.kind, options); });
   }

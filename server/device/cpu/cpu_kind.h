@@ -37,7 +37,7 @@ struct BareLoop {
 struct CpuKind {
   KindInfo info;
   std::shared_ptr<const CpuStructure> (*build)(std::shared_ptr<const Blob> scene, const Kind* kind,
-                                               const BuildOptions& options);
+                                               const OptionValues& options);
   const Kind* kind = nullptr;  // of the kernels; null for an engine
   std::vector<CpuTraversal> traversals;
   std::vector<BareLoop> loops = {};

@@ -53,7 +53,7 @@ RTCScene scene_of(const void* structure) {
   return static_cast<RTCScene>(const_cast<void*>(structure));
 }
 
-std::shared_ptr<const CpuStructure> build(std::shared_ptr<const Blob> scene, const Kind*, const BuildOptions& options) {
+std::shared_ptr<const CpuStructure> build(std::shared_ptr<const Blob> scene, const Kind*, const OptionValues& options) {
   const auto start = std::chrono::steady_clock::now();
   EmbreeDevice& device = EmbreeDevice::instance();
   const u64 bytes_before = device.bytes();

@@ -15,7 +15,7 @@ class BlobStructure final : public CpuStructure {
 };
 
 std::shared_ptr<const CpuStructure> build_blob(std::shared_ptr<const Blob> scene, const Kind* kind,
-                                               const BuildOptions& options) {
+                                               const OptionValues& options) {
   BuiltStructure built = kind->build(SceneView{scene->data()}, with_defaults(*kind, options));
   return std::make_shared<BlobStructure>(std::move(scene), std::string(kind->name), std::move(built));
 }

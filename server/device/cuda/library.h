@@ -1,0 +1,36 @@
+// A shared library that may be missing: opened at run time, its functions filled in from one list.
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+
+namespace raywalk::cuda {
+
+/// Either a value or the reason why there is none, one sentence for people.
+template <class T>
+struct Found {
+  std::shared_ptr<const T> value;
+  std::string why_not;
+  explicit operator bool() const { return value != nullptr; }
+};
+
+/// Opens the first of `names` (paths or names for the loader) that can be opened; closes it when destroyed.
+class Library {
+ public:
+  /// Null with a reason that names what was tried and why it failed.
+  static Found<Library> open(std::span<const std::string> names);
+  ~Library();
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+
+  /// Null when it has no such symbol.
+  void* symbol(const char* name) const;
+  const std::string& path() const { return path_; }
+
+ private:
+  Library(void* handle, std::string path) : handle_(handle), path_(std::move(path)) {}
+  void* handle_;
+  std::string path_;
+};
+
+}  // namespace raywalk::cuda
