@@ -1,6 +1,7 @@
 // What the service asks of whatever renders: build structures, render frames, trace rays. One thread at a time may call
 // it.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -165,5 +166,26 @@ class Device {
 
 /// The CPU device: the kernels and Embree, on `threads` threads (0 = all processors).
 std::unique_ptr<Device> open_cpu_device(u32 threads);
+
+struct CudaConfig {
+  /// Of compiled kernels; empty: none is kept.
+  std::filesystem::path cache_dir;
+  /// Of all that the device allocates; 0: as much as the card has.
+  u64 memory_limit_bytes = 0;
+  /// For tests: the kernel launch with this number traps; 0: none does.
+  u64 fault_after = 0;
+  /// Of the host, for builds; 0 = all processors.
+  u32 threads = 0;
+  /// For tests: kernels are compiled with all features, whatever the scene needs.
+  bool all_features = false;
+};
+
+struct DeviceOrReason {
+  std::unique_ptr<Device> device;
+  std::string why_not;  // one sentence for people, where there is no device
+};
+
+/// The first NVIDIA GPU that the driver shows, with kernels compiled at run time. Whatever is missing is a reason.
+DeviceOrReason open_cuda_device(const CudaConfig& config);
 
 }  // namespace raywalk

@@ -9,7 +9,7 @@
 namespace raywalk::cuda {
 
 /// One of the files kernels/gpu/<name>.cu.
-enum class Program { frame, trace, count };
+enum class Program { frame, trace, count, fault };
 
 struct KernelSpec {
   Program program = Program::frame;

@@ -1,0 +1,4 @@
+// A kernel that fails on purpose, for tests of what follows.
+extern "C" __global__ void fault() {
+  __trap();
+}
