@@ -11,6 +11,7 @@
 
 namespace raywalk::cuda {
 
+class CubinCache;
 struct NvrtcApi;
 
 /// The compiler refused the sources or the options; `what` holds its log.
@@ -46,7 +47,7 @@ class Compiler {
  private:
   std::shared_ptr<const NvrtcApi> nvrtc_;
   std::string architecture_;
-  std::filesystem::path cache_dir_;
+  std::unique_ptr<CubinCache> cache_;
 };
 
 }  // namespace raywalk::cuda

@@ -2,6 +2,7 @@
 #pragma once
 #include <compare>
 #include <string>
+#include <string_view>
 
 #include "kernels/features.h"
 #include "kernels/frame_request.h"

@@ -33,4 +33,11 @@ class Library {
   std::string path_;
 };
 
+/// Sets `function` to the library's `symbol`; when there is none, adds its name to `missing`.
+template <class Function>
+void bind(const Library& library, const char* symbol, Function*& function, std::string& missing) {
+  function = reinterpret_cast<Function*>(library.symbol(symbol));
+  if (function == nullptr) missing += (missing.empty() ? "" : ", ") + std::string(symbol);
+}
+
 }  // namespace raywalk::cuda

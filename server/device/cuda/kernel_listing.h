@@ -1,0 +1,31 @@
+// All kernels that matter, compiled without a device: what the assembler says of each.
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "server/device/cuda/compiler.h"
+
+namespace raywalk::cuda {
+
+/// Every traversal with every program and mode, with the fewest and with all features.
+std::vector<KernelSpec> representative_kernels();
+
+struct ListedKernel {
+  std::string architecture;
+  KernelSpec spec;
+  EntryReport report;
+};
+
+/// The compiler has no such architecture; `what` names those that it has.
+class UnknownArchitecture : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Compiles all representative kernels for each architecture, on all processors. In the order of `architectures`,
+/// then of `representative_kernels`, then of the entry points. Throws UnknownArchitecture and CompileError.
+std::vector<ListedKernel> list_kernels(const std::shared_ptr<const NvrtcApi>& nvrtc,
+                                       const std::vector<std::string>& architectures);
+
+}  // namespace raywalk::cuda
