@@ -78,7 +78,7 @@ int run(const Flags& flags) {
   Structures structures(queue, device->kinds());
   Scenes scenes(flags.scenes_dir, flags.data_dir,
                 [&](const std::string& name, const ScenePtr& now) { structures.evict_scene(name, now); });
-  const Machine machine = describe_machine(device->name(), device->threads());
+  const Machine machine = describe_machine(device->info().name, device->info().threads);
   JobQueue jobs([&](const BenchmarkSpec& spec, const auto& report) {
     return run_benchmark(spec, {scenes, structures, queue, machine}, report);
   });

@@ -41,7 +41,7 @@ TEST(DeviceQueue, RunsOnOneThreadAndReturnsValues) {
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(queue.run([&](Device& d) {
       threads.insert(std::this_thread::get_id());
-      return d.name() + std::to_string(i);
+      return d.info().name + std::to_string(i);
     }),
               "fake" + std::to_string(i));
   }

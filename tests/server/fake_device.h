@@ -21,8 +21,7 @@ class FakeStructure : public Structure {
 
 class FakeDevice : public Device {
  public:
-  std::string name() const override { return "fake"; }
-  u32 threads() const override { return 1; }
+  const DeviceInfo& info() const override { return info_; }
   const std::vector<KindInfo>& kinds() const override { return kinds_; }
   std::shared_ptr<const Structure> build(std::shared_ptr<const Blob>, const std::string& kind,
                                          const OptionValues&) override {
@@ -38,6 +37,15 @@ class FakeDevice : public Device {
     hits.hits.assign(std::size_t{job.width} * job.height, Hit{1, 0, 0, 0});
     hits.trace_ms = 1.0;
   }
+  u32 max_batch() const override { return 16; }
+  double measure(std::span<const FrameJob> jobs, Work work) override {
+    launches.push_back(jobs.size());
+    const double frame_ms = work == Work::trace ? 1.0 : 2.0;
+    return jobs.size() == 1 ? frame_ms : 0.5 * frame_ms * static_cast<double>(jobs.size());
+  }
+  std::optional<KernelFigures> kernel_figures(const FrameJob&, Work) override { return KernelFigures{}; }
+  std::optional<Telemetry> telemetry() const override { return std::nullopt; }
+  DeviceMemory memory() const override { return {}; }
   Counts count(const FrameJob& job) override {
     const u64 rays = u64{job.width} * job.height;
     return {rays, 10 * rays, 2 * rays};
@@ -49,8 +57,10 @@ class FakeDevice : public Device {
   std::atomic<int> builds{0};
   std::chrono::milliseconds build_time{0};
   bool fail_builds = false;
+  std::vector<std::size_t> launches;  // frames of each measurement
 
  private:
+  DeviceInfo info_{.name = "fake", .kind = "cpu"};
   std::vector<KindInfo> kinds_ = {
       {"bvh",
        "",

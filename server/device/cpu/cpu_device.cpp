@@ -48,8 +48,7 @@ class CpuDevice final : public Device {
     for (const CpuKind& kind : kinds_) infos_.push_back(kind.info);
   }
 
-  std::string name() const override { return processor_name(); }
-  u32 threads() const override { return runner_.threads(); }
+  const DeviceInfo& info() const override { return info_; }
   const std::vector<KindInfo>& kinds() const override { return infos_; }
 
   std::shared_ptr<const Structure> build(std::shared_ptr<const Blob> scene, const std::string& kind,
@@ -72,23 +71,35 @@ class CpuDevice final : public Device {
   }
 
   void trace_primary(const FrameJob& job, PrimaryHits& result) override {
-    const CpuStructure& structure = structure_of(job.structure);
     result.hits.resize(u64{job.width} * job.height);
     if (const BareLoop* loop = loop_of(job.structure->kind(), job.traversal)) {
-      trace_bare(*loop, job, structure, result);
+      result.trace_ms = trace_bare(*loop, job, result.hits);
       return;
     }
-    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
-    prepare_rays(job);
-    hits_.resize(rays_.size());
-    const Stopwatch watch;
-    runner_.over_rays(rays_.size(), [&](u64 first, u64 last) {
-      row.closest(structure.scene(), structure.handle(), rays_.data() + first, last - first, hits_.data() + first);
-    });
-    result.trace_ms = watch.ms();
+    result.trace_ms = trace_in_block_order(job);
     const Hit* next = hits_.data();
     in_block_order(job.width, job.height, [&](u32 x, u32 y) { result.hits[u64{y} * job.width + x] = *next++; });
   }
+
+  u32 max_batch() const override { return 1; }
+
+  double measure(std::span<const FrameJob> jobs, Work work) override {
+    if (jobs.size() != 1) throw std::invalid_argument("the CPU takes one frame at a time");
+    const FrameJob& job = jobs.front();
+    if (work == Work::frame) {
+      render(job, measured_);
+      return measured_.trace_ms;
+    }
+    if (const BareLoop* loop = loop_of(job.structure->kind(), job.traversal)) {
+      hits_.resize(u64{job.width} * job.height);
+      return trace_bare(*loop, job, hits_);
+    }
+    return trace_in_block_order(job);
+  }
+
+  std::optional<KernelFigures> kernel_figures(const FrameJob&, Work) override { return std::nullopt; }
+  std::optional<Telemetry> telemetry() const override { return std::nullopt; }
+  DeviceMemory memory() const override { return {}; }
 
   Counts count(const FrameJob& job) override {
     if (loop_of(job.structure->kind(), job.traversal)) return {u64{job.width} * job.height, 0, 0};
@@ -163,12 +174,27 @@ class CpuDevice final : public Device {
     in_block_order(job.width, job.height, [&](u32 x, u32 y) { rays_.push_back(primary_ray(camera, x, y)); });
   }
 
-  void trace_bare(const BareLoop& loop, const FrameJob& job, const CpuStructure& structure, PrimaryHits& result) {
+  /// Hits of the primary rays into `hits_`, in the order of `in_block_order`; the time in ms.
+  double trace_in_block_order(const FrameJob& job) {
+    const CpuStructure& structure = structure_of(job.structure);
+    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    prepare_rays(job);
+    hits_.resize(rays_.size());
+    const Stopwatch watch;
+    runner_.over_rays(rays_.size(), [&](u64 first, u64 last) {
+      row.closest(structure.scene(), structure.handle(), rays_.data() + first, last - first, hits_.data() + first);
+    });
+    return watch.ms();
+  }
+
+  /// Into `hits`, which has a place for every pixel; the time in ms.
+  double trace_bare(const BareLoop& loop, const FrameJob& job, std::vector<Hit>& hits) {
+    const CpuStructure& structure = structure_of(job.structure);
     const FrameArgs args = args_of(job);
     const Stopwatch watch;
     runner_.over_tiles(job.width, job.height,
-                       [&](Tile tile) { loop.trace(structure.handle(), args, tile, result.hits.data()); });
-    result.trace_ms = watch.ms();
+                       [&](Tile tile) { loop.trace(structure.handle(), args, tile, hits.data()); });
+    return watch.ms();
   }
 
   /// Outputs that follow from the primary hits alone.
@@ -216,10 +242,12 @@ class CpuDevice final : public Device {
   }
 
   TileRunner runner_;
+  DeviceInfo info_{processor_name(), "cpu", runner_.threads()};
   std::vector<CpuKind> kinds_;
   std::vector<KindInfo> infos_;
-  std::vector<Ray> rays_;  // reused from frame to frame
+  std::vector<Ray> rays_;  // reused from frame to frame, as all below
   std::vector<Hit> hits_;
+  Frame measured_;
 };
 
 }  // namespace
