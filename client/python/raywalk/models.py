@@ -67,6 +67,14 @@ class Problem(BaseModel):
     """
     Known names where a name was unknown.
     """
+    needed_bytes: int | None = None
+    """
+    Of out_of_device_memory: what the request needs.
+    """
+    free_bytes: int | None = None
+    """
+    Of out_of_device_memory: what there is.
+    """
     retryable: bool
     """
     The same request may succeed later.
@@ -84,7 +92,7 @@ class Machine(BaseModel):
 
     fingerprint: str
     """
-    Hash of what must be equal for times to be comparable.
+    Hash of what must be equal for times to be comparable: processor, device and its details, build.
     """
     hostname: str
     os: str
@@ -115,6 +123,10 @@ class Machine(BaseModel):
     device: str
     """
     What renders.
+    """
+    device_details: dict[str, str] | None = None
+    """
+    Driver, compiler, architecture and the like by name; empty for a CPU.
     """
     compiler: str
     build_type: str
@@ -149,12 +161,37 @@ class Limits(BaseModel):
     queued_jobs: int
 
 
+class Memory(BaseModel):
+    """
+    Of the device itself; all 0 for a CPU.
+    """
+
+    total_bytes: int
+    free_bytes: int
+    resident_bytes: int
+    """
+    Scenes and structures that lie there.
+    """
+
+
 class Device(BaseModel):
     name: str
     kind: Literal["cpu", "cuda"]
     requested: Literal["auto", "cpu", "cuda"]
     """
     The flag of the daemon.
+    """
+    no_cuda: str | None
+    """
+    Why no CUDA device is used though one could be; null when one is, or none was asked for.
+    """
+    details: dict[str, str]
+    """
+    Driver, compiler, architecture and the like by name; empty for a CPU.
+    """
+    memory: Memory
+    """
+    Of the device itself; all 0 for a CPU.
     """
 
 
@@ -176,7 +213,7 @@ class System(BaseModel):
     warnings: list[str]
 
 
-class BuildOption(BaseModel):
+class Option(BaseModel):
     name: str
     help: str
     default: float | str
@@ -196,6 +233,10 @@ class Traversal(BaseModel):
     """
     True for a bare loop that bounds what is possible: mode trace of a benchmark, nothing else.
     """
+    options: list[Option] | None = None
+    """
+    Of the kernel that runs it, such as a register cap; empty where the device has no choice.
+    """
 
 
 class Kind(BaseModel):
@@ -204,7 +245,7 @@ class Kind(BaseModel):
     Lower-case name of a scene, structure kind or traversal.
     """
     help: str
-    options: list[BuildOption]
+    options: list[Option]
     traversals: list[Traversal]
 
 
@@ -400,6 +441,10 @@ class FrameRequest(BaseModel):
     """
     Bounces of secondary rays in mode whitted.
     """
+    kernel: dict[str, float | str] | None = None
+    """
+    Options of the traversal's kernel.
+    """
     output: Literal["color", "depth", "normal", "id", "steps"] | None = "color"
     """
     color: shaded image; depth: t of the primary hit; normal: shading normal; id: triangle id; steps: traversal steps and triangle tests of the primary ray as a heat map. Raw float32 has 3 channels for color and normal, 1 for depth (infinity is a miss), 1 for id (-1 is a miss; exact to 2^24), 2 for steps (steps, tests).
@@ -423,6 +468,10 @@ class Technique(BaseModel):
     Lower-case name of a scene, structure kind or traversal.
     """
     options: dict[str, float | str] | None = None
+    kernel: dict[str, float | str] | None = None
+    """
+    Options of the traversal's kernel.
+    """
 
 
 class BenchmarkSpec(BaseModel):
@@ -458,6 +507,10 @@ class BenchmarkSpec(BaseModel):
     repeats: Annotated[int | None, Field(ge=1, le=1000)] = 1
     """
     Times that the frames are measured; techniques are interleaved frame by frame.
+    """
+    batch: Annotated[int | None, Field(ge=0, le=16)] = 16
+    """
+    Frames of one launch when throughput is measured, apart from single frames; 0 leaves it out. Devices that take one frame at a time have no throughput.
     """
     error_frames: Annotated[int | None, Field(ge=1, le=1000)] = 4
     """
@@ -582,6 +635,67 @@ class ErrorFigures(BaseModel):
     """
 
 
+class KernelFigures(BaseModel):
+    """
+    A GPU kernel as its driver reports it.
+    """
+
+    options: dict[str, float | str]
+    registers: int
+    """
+    A thread.
+    """
+    local_bytes: int
+    """
+    A thread: stack and spills.
+    """
+    shared_bytes: int
+    """
+    A block.
+    """
+    threads_per_block: int
+    blocks_per_multiprocessor: int
+    """
+    Resident at once.
+    """
+    occupancy: float
+    """
+    Resident threads of those that a multiprocessor could hold, 0 to 1.
+    """
+    binary_bytes: int
+
+
+class Throughput(BaseModel):
+    frames_per_launch: Annotated[int, Field(ge=2)]
+    frame_ms: Statistics
+    """
+    Time of a launch over its frames.
+    """
+    mrays_per_s: float
+
+
+class SensorRange(BaseModel):
+    min: float
+    median: float
+    max: float
+
+
+class Telemetry(BaseModel):
+    """
+    The device's sensors while it measured.
+    """
+
+    core_clock_mhz: SensorRange
+    memory_clock_mhz: SensorRange
+    power_w: SensorRange
+    power_limit_w: float
+    temperature_c: SensorRange
+    throttle_reasons: list[str]
+    """
+    All that were seen; empty: none.
+    """
+
+
 class ResultRow(BaseModel):
     structure: str
     traversal: str
@@ -605,6 +719,14 @@ class ResultRow(BaseModel):
     """
     Median time of each frame in order.
     """
+    kernel: KernelFigures | None = None
+    """
+    The kernel that was timed; null where there is none.
+    """
+    throughput: Throughput | None = None
+    """
+    Several frames in one launch; null where the device takes one at a time.
+    """
     error: ErrorFigures
 
 
@@ -617,6 +739,10 @@ class BenchmarkResult(BaseModel):
     spec: BenchmarkSpec
     structures: list[Structure]
     rows: list[ResultRow]
+    telemetry: Telemetry | None = None
+    """
+    null where the device has no sensors that can be read.
+    """
     stop_reason: Literal["completed", "time_limit"]
     notes: list[str]
 
