@@ -1,10 +1,16 @@
-"""Where things are: the checkout, its scenes, original scene data, the daemon's program."""
+"""Where things are, in a bundle or a checkout: the scenes, original scene data, the daemon's program."""
 
 import os
 import shutil
 from pathlib import Path
 
 from raywalk.errors import RaywalkError
+
+
+def bundle() -> Path | None:
+    """The folder of the bundle (./run bundle) that holds this package."""
+    folder = Path(__file__).resolve().parents[2]
+    return folder if (folder / "bin" / "raywalkd").is_file() else None
 
 
 def checkout() -> Path | None:
@@ -18,14 +24,15 @@ def checkout() -> Path | None:
 
 def scenes_dir() -> Path:
     """The catalogue's manifests."""
-    root = checkout()
-    if root is None:
-        raise RaywalkError("the folder scenes/ was not found; run this inside the checkout of Raywalk")
-    return root / "scenes"
+    if root := bundle():
+        return root / "share" / "raywalk" / "scenes"
+    if root := checkout():
+        return root / "scenes"
+    raise RaywalkError("the folder scenes/ was not found; run this inside the checkout of Raywalk")
 
 
 def data_dir() -> Path:
-    """Original scene data: RAYWALK_SCENE_DATA, else scenes/data of the checkout."""
+    """Original scene data: RAYWALK_SCENE_DATA, else the folder data among the scenes."""
     named = os.environ.get("RAYWALK_SCENE_DATA")
     return Path(named) if named else scenes_dir() / "data"
 
@@ -35,6 +42,8 @@ def daemon_places() -> list[Path]:
     places = []
     if named := os.environ.get("RAYWALKD"):
         places.append(Path(named))
+    if root := bundle():
+        places.append(root / "bin" / "raywalkd")
     if root := checkout():
         places.append(root / "build" / "release" / "server" / "raywalkd")
     if found := shutil.which("raywalkd"):
