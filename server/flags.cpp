@@ -62,6 +62,11 @@ FlagsOrExit parse_flags(int argc, char** argv) {
       ->check(CLI::IsMember({"debug", "info", "warn", "error"}));
   app.add_flag("--log-json", flags.log_json, "Log one JSON object a line.");
   app.add_flag("--die-with-parent", flags.die_with_parent, "Stop when the process that started the daemon ends.");
+  app.add_option(
+         "--compile-kernels", flags.compile_kernels,
+         "Compile the GPU's kernels for these architectures, such as sm_80,sm_90, print registers and spills as "
+         "JSON, and end; needs no GPU.")
+      ->delimiter(',');
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kernels/platform.h"
 
@@ -20,6 +21,7 @@ struct Flags {
   std::string log_level = "info";
   bool log_json = false;
   bool die_with_parent = false;
+  std::vector<std::string> compile_kernels;  // architectures; not empty: compile, print and end
 };
 
 /// Reads the command line; folders have their defaults afterwards. The value is the exit code when the program should

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "server/api/services.h"
+#include "server/compile_kernels.h"
 #include "server/flags.h"
 #include "server/http/server.h"
 #include "server/system/logging.h"
@@ -109,6 +110,7 @@ int main(int argc, char** argv) {
   using namespace raywalk;
   const auto [flags, exit_code] = parse_flags(argc, argv);
   if (exit_code) return *exit_code;
+  if (!flags.compile_kernels.empty()) return compile_kernels(flags.compile_kernels);
   block_shutdown_signals();  // before any thread starts
   if (flags.die_with_parent) prctl(PR_SET_PDEATHSIG, SIGTERM);
   set_up_logging(flags.log_level, flags.log_json);

@@ -7,8 +7,8 @@
 #include "server/scene/byte_reader.h"
 #include "server/scene/importer.h"
 #include "server/scene/manifest.h"
-#include "server/scene/sha256.h"
 #include "server/scene/sinks.h"
+#include "server/system/sha256.h"
 
 namespace raywalk {
 namespace {

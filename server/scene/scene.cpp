@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "kernels/features.h"
-#include "server/scene/sha256.h"
+#include "server/system/sha256.h"
 
 namespace raywalk {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "kernels/features.h"
 #include "server/scene/scene.h"
-#include "server/scene/sha256.h"
+#include "server/system/sha256.h"
 
 namespace raywalk::test {
 namespace {

@@ -11,6 +11,7 @@ namespace raywalk::cuda {
 
 /// One of the files kernels/gpu/<name>.cu.
 enum class Program { frame, trace, count, fault };
+std::string_view name_of(Program program);
 
 struct KernelSpec {
   Program program = Program::frame;
@@ -23,7 +24,7 @@ struct KernelSpec {
   u32 stack_entries = 4;  // of a short stack
 
   auto operator<=>(const KernelSpec&) const = default;
-  /// Readable and unique, such as "frame BvhWhileWhile features=3 mode=0 block=128".
+  /// Readable and unique, such as "frame BvhWhileWhile Watertight features=3 mode=0 block=128 stack_entries=4".
   std::string name() const;
 };
 

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), for the identity of files and geometry.
+// SHA-256 (FIPS 180-4), for the identity of files, geometry and kernels.
 #pragma once
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 // SHA-256, straight from the standard's section 6.2.
-#include "server/scene/sha256.h"
+#include "server/system/sha256.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,0 +1,93 @@
+// Compiles many kernels on all processors.
+#include "server/device/cuda/kernel_listing.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "server/device/cuda/nvrtc_api.h"
+#include "server/device/cuda/traversal_types.h"
+
+namespace raywalk::cuda {
+namespace {
+
+void check_architectures(const NvrtcApi& nvrtc, const std::vector<std::string>& wanted) {
+  const std::vector<std::string> known = nvrtc.architectures();
+  for (const std::string& name : wanted) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    std::string list;
+    for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
+    throw UnknownArchitecture("NVRTC " + nvrtc.version() + " does not know the architecture '" + name + "'; it knows " +
+                              list + ".");
+  }
+}
+
+/// Calls `work(i)` for every i below `count`, on all processors; the first exception ends it and is thrown again.
+template <class Work>
+void in_parallel(size_t count, const Work& work) {
+  std::atomic<size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto loop = [&] {
+    for (size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (u32 i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(loop);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+std::vector<KernelSpec> representative_kernels() {
+  std::vector<KernelSpec> specs;
+  for (const TraversalType& type : traversal_types()) {
+    KernelSpec spec{.traversal = std::string(type.type), .block = type.default_block()};
+    for (const Mode mode : {Mode::primary, Mode::shadow, Mode::whitted}) {
+      for (const u32 features : {0u, kAllFeatures}) {
+        spec.mode = mode;
+        spec.features = features;
+        specs.push_back(spec);
+      }
+    }
+    spec.program = Program::count;  // of everything
+    specs.push_back(spec);
+    spec.program = Program::trace;  // which has neither mode nor features
+    spec.mode = Mode::primary;
+    spec.features = 0;
+    specs.push_back(spec);
+  }
+  return specs;
+}
+
+std::vector<ListedKernel> list_kernels(const std::shared_ptr<const NvrtcApi>& nvrtc,
+                                       const std::vector<std::string>& architectures) {
+  check_architectures(*nvrtc, architectures);
+  const std::vector<KernelSpec> specs = representative_kernels();
+  std::vector<std::vector<EntryReport>> reports(architectures.size() * specs.size());
+  in_parallel(reports.size(), [&](size_t i) {
+    const Compiler compiler(nvrtc, architectures[i / specs.size()], {});
+    reports[i] = compiler.compile(specs[i % specs.size()]).entries;
+  });
+
+  std::vector<ListedKernel> rows;
+  for (size_t i = 0; i < reports.size(); ++i) {
+    for (const EntryReport& report : reports[i]) {
+      rows.push_back({architectures[i / specs.size()], specs[i % specs.size()], report});
+    }
+  }
+  return rows;
+}
+
+}  // namespace raywalk::cuda
