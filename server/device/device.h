@@ -112,7 +112,8 @@ struct DeviceMemory {
   u64 total_bytes = 0, free_bytes = 0, resident_bytes = 0;
 };
 
-/// A request needs more device memory than there is, with everything evicted that nobody uses.
+/// A request needs more device memory than there is, with everything evicted that nobody uses. `needed_bytes` is 0 when
+/// the driver itself ran out and does not tell.
 class OutOfDeviceMemory : public std::runtime_error {
  public:
   OutOfDeviceMemory(u64 needed_bytes, u64 free_bytes);

@@ -1,14 +1,13 @@
 // The CPU device: kernels and Embree behind one interface.
 #include <chrono>
 #include <fstream>
-#include <limits>
 #include <mutex>
 #include <stdexcept>
 
-#include "kernels/shade/surface.h"
 #include "server/device/camera.h"
 #include "server/device/cpu/cpu_kind.h"
 #include "server/device/cpu/tile_runner.h"
+#include "server/device/outputs.h"
 
 namespace raywalk {
 namespace {
@@ -28,17 +27,6 @@ std::string processor_name() {
   for (std::string line; std::getline(file, line);)
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   return "unknown processor";
-}
-
-/// Calls visit(x, y) for every pixel in the order in which rays are traced: tiles of blocks, Morton inside.
-template <class Visit>
-void in_block_order(u32 width, u32 height, Visit visit) {
-  for (u32 by = 0; by < height; by += kBlockSide)
-    for (u32 bx = 0; bx < width; bx += kBlockSide)
-      for (u32 i = 0; i < kBlockRays; ++i) {
-        const u32 x = bx + block_x(i), y = by + block_y(i);
-        if (x < width && y < height) visit(x, y);
-      }
 }
 
 class CpuDevice final : public Device {
@@ -61,8 +49,8 @@ class CpuDevice final : public Device {
     if (job.output != Output::color) return render_primary(job, frame);
     const CpuStructure& structure = structure_of(job.structure);
     const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
-    const FrameArgs args = args_of(job);
-    shape(job, 3, frame);
+    const FrameArgs args = frame_args(job);
+    shape_frame(job, 3, frame);
     Vec3* pixels = reinterpret_cast<Vec3*>(frame.pixels.data());
     const Stopwatch watch;
     runner_.over_tiles(job.width, job.height,
@@ -78,7 +66,7 @@ class CpuDevice final : public Device {
     }
     result.trace_ms = trace_in_block_order(job);
     const Hit* next = hits_.data();
-    in_block_order(job.width, job.height, [&](u32 x, u32 y) { result.hits[u64{y} * job.width + x] = *next++; });
+    in_block_order(job.width, job.height, [&](u32 x, u32 y, u64) { result.hits[u64{y} * job.width + x] = *next++; });
   }
 
   u32 max_batch() const override { return 1; }
@@ -105,7 +93,7 @@ class CpuDevice final : public Device {
     if (loop_of(job.structure->kind(), job.traversal)) return {u64{job.width} * job.height, 0, 0};
     const CpuStructure& structure = structure_of(job.structure);
     const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
-    const FrameArgs args = args_of(job);
+    const FrameArgs args = frame_args(job);
     Counts sum{};
     std::mutex mutex;
     runner_.over_tiles(job.width, job.height, [&](Tile tile) {
@@ -157,21 +145,11 @@ class CpuDevice final : public Device {
   static const CpuStructure& structure_of(const std::shared_ptr<const Structure>& structure) {
     return dynamic_cast<const CpuStructure&>(*structure);
   }
-  static FrameArgs args_of(const FrameJob& job) {
-    return {camera_of(job.camera, job.width, job.height), job.width, job.height, job.mode, job.depth};
-  }
-  static void shape(const FrameJob& job, u32 channels, Frame& frame) {
-    frame.width = job.width;
-    frame.height = job.height;
-    frame.channels = channels;
-    frame.pixels.resize(u64{job.width} * job.height * channels);
-    frame.readback_ms = 0;
-  }
   void prepare_rays(const FrameJob& job) {
     const Camera camera = camera_of(job.camera, job.width, job.height);
     rays_.clear();
     rays_.reserve(u64{job.width} * job.height);
-    in_block_order(job.width, job.height, [&](u32 x, u32 y) { rays_.push_back(primary_ray(camera, x, y)); });
+    in_block_order(job.width, job.height, [&](u32 x, u32 y, u64) { rays_.push_back(primary_ray(camera, x, y)); });
   }
 
   /// Hits of the primary rays into `hits_`, in the order of `in_block_order`; the time in ms.
@@ -190,7 +168,7 @@ class CpuDevice final : public Device {
   /// Into `hits`, which has a place for every pixel; the time in ms.
   double trace_bare(const BareLoop& loop, const FrameJob& job, std::vector<Hit>& hits) {
     const CpuStructure& structure = structure_of(job.structure);
-    const FrameArgs args = args_of(job);
+    const FrameArgs args = frame_args(job);
     const Stopwatch watch;
     runner_.over_tiles(job.width, job.height,
                        [&](Tile tile) { loop.trace(structure.handle(), args, tile, hits.data()); });
@@ -203,23 +181,8 @@ class CpuDevice final : public Device {
     if (job.output == Output::steps) return render_steps(job, structure, frame);
     PrimaryHits primary;
     trace_primary(job, primary);
+    image_of_hits(job, structure.scene(), primary.hits, frame);
     frame.trace_ms = primary.trace_ms;
-    shape(job, job.output == Output::normal ? 3 : 1, frame);
-    const Camera camera = camera_of(job.camera, job.width, job.height);
-    for (u64 i = 0; i < primary.hits.size(); ++i) {
-      const Hit& hit = primary.hits[i];
-      if (job.output == Output::depth) {
-        frame.pixels[i] = hit.id == kMiss ? std::numeric_limits<float>::infinity() : hit.t;
-      } else if (job.output == Output::id) {
-        frame.pixels[i] = hit.id == kMiss ? -1.0f : static_cast<float>(hit.id);
-      } else {
-        const Vec3 d = primary_ray(camera, static_cast<u32>(i % job.width), static_cast<u32>(i / job.width)).d;
-        const Vec3 n = hit.id == kMiss ? Vec3{0, 0, 0} : surface_at<true>(structure.scene(), hit, d).normal;
-        frame.pixels[3 * i] = n.x;
-        frame.pixels[3 * i + 1] = n.y;
-        frame.pixels[3 * i + 2] = n.z;
-      }
-    }
   }
 
   void render_steps(const FrameJob& job, const CpuStructure& structure, Frame& frame) {
@@ -231,14 +194,9 @@ class CpuDevice final : public Device {
       row.count_rays(structure.scene(), structure.handle(), rays_.data() + first, last - first, counts.data() + first);
     });
     frame.trace_ms = watch.ms();
-    shape(job, 2, frame);
     const Counts* next = counts.data();
-    in_block_order(job.width, job.height, [&](u32 x, u32 y) {
-      float* pixel = frame.pixels.data() + 2 * (u64{y} * job.width + x);
-      pixel[0] = static_cast<float>(next->steps);
-      pixel[1] = static_cast<float>(next->tests);
-      ++next;
-    });
+    image_of_steps(
+        job, [&](u64) { return *next++; }, frame);
   }
 
   TileRunner runner_;

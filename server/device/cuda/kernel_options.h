@@ -1,0 +1,19 @@
+// Options of a traversal's kernel, and the kernel that a request runs.
+#pragma once
+#include "server/device/cuda/kernel_spec.h"
+#include "server/device/cuda/traversal_types.h"
+#include "server/device/device.h"
+
+namespace raywalk::cuda {
+
+/// Throws std::invalid_argument when there is none.
+const TraversalType& traversal_type(const std::string& structure, const std::string& traversal);
+
+/// registers, block (unless the rays of a group are the block), stack_entries (of a short stack), intersector.
+std::vector<Option> kernel_options(const TraversalType& type);
+
+/// The kernel for a scene that needs `features`. Features that cannot matter are left out, so that requests share
+/// kernels. Throws std::invalid_argument for an unknown option or a value out of range.
+KernelSpec kernel_spec(const TraversalType& type, const OptionValues& given, Program program, Mode mode, u32 features);
+
+}  // namespace raywalk::cuda
