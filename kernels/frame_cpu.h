@@ -70,25 +70,27 @@ void any_hits(TracerT tracer, const Ray* rays, u64 count, u8* out) {
   });
 }
 
-/// Pixels in groups of kLocal: one by one, or block by block.
+/// Pixels in groups of kLocal: one by one, or as many at a time of a block of kBlockRays.
 template <class TracerT, class Sink>
 void shade_tile(TracerT& tracer, SceneView scene, const FrameArgs& args, Tile tile, Sink sink) {
   constexpr u32 kLocal = TracerT::kLocal;
-  constexpr u32 kSide = kLocal == 1 ? 1 : kBlockSide;
-  static_assert(kSide * kSide == kLocal);
+  constexpr u32 kSide = kLocal == 1 ? 1 : kBlockSide, kLanes = kSide * kSide;
+  static_assert(kLanes % kLocal == 0);
   for (u32 by = tile.y0; by < tile.y1; by += kSide) {
     for (u32 bx = tile.x0; bx < tile.x1; bx += kSide) {
-      u32 x[kLocal], y[kLocal];
-      bool active[kLocal];
-      Vec3 color[kLocal];
-      for (u32 i = 0; i < kLocal; ++i) {
-        x[i] = bx + block_x(i);
-        y[i] = by + block_y(i);
-        active[i] = x[i] < tile.x1 && y[i] < tile.y1;
+      for (u32 first = 0; first < kLanes; first += kLocal) {
+        u32 x[kLocal], y[kLocal];
+        bool active[kLocal];
+        Vec3 color[kLocal];
+        for (u32 i = 0; i < kLocal; ++i) {
+          x[i] = bx + block_x(first + i);
+          y[i] = by + block_y(first + i);
+          active[i] = x[i] < tile.x1 && y[i] < tile.y1;
+        }
+        radiance<kAllFeatures>(tracer, scene, args, x, y, active, color);
+        for (u32 i = 0; i < kLocal; ++i)
+          if (active[i]) sink(x[i], y[i], color[i]);
       }
-      radiance<kAllFeatures>(tracer, scene, args, x, y, active, color);
-      for (u32 i = 0; i < kLocal; ++i)
-        if (active[i]) sink(x[i], y[i], color[i]);
     }
   }
 }

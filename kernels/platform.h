@@ -29,6 +29,10 @@ RW_FN float square_root(float a) {
 RW_FN float divide(float a, float b) {
   return __fdiv_rn(a, b);
 }
+/// The same bits as divide(1, a).
+RW_FN float reciprocal(float a) {
+  return __frcp_rn(a);
+}
 RW_FN u32 bits_of(float a) {
   return __float_as_uint(a);
 }
@@ -45,6 +49,9 @@ RW_FN float square_root(float a) {
 RW_FN float divide(float a, float b) {
   return a / b;
 }
+RW_FN float reciprocal(float a) {
+  return 1.0f / a;
+}
 RW_FN u32 bits_of(float a) {
   return __builtin_bit_cast(u32, a);
 }
@@ -53,13 +60,23 @@ RW_FN float float_of(u32 a) {
 }
 #endif
 
-// The comparison drops a NaN in the first argument: smaller(NaN, b) == b and larger(NaN, b) == b.
+// A NaN in the first argument is dropped: smaller(NaN, b) == b and larger(NaN, b) == b. The sign of a zero is not
+// defined when both are zeros.
+#if RW_GPU
+RW_FN float smaller(float a, float b) {
+  return ::fminf(a, b);
+}
+RW_FN float larger(float a, float b) {
+  return ::fmaxf(a, b);
+}
+#else
 RW_FN float smaller(float a, float b) {
   return a < b ? a : b;
 }
 RW_FN float larger(float a, float b) {
   return a > b ? a : b;
 }
+#endif
 RW_FN u32 smaller(u32 a, u32 b) {
   return a < b ? a : b;
 }

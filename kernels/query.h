@@ -1,19 +1,21 @@
 // What a traversal asks of each triangle: the closest hit, or whether there is any. A traversal is compiled once for
-// each.
+// each. An intersector is a ray prepared for one of the tests of kernels/triangle.
 #pragma once
+#include "kernels/triangle/moeller_trumbore.h"
 #include "kernels/triangle/watertight.h"
 
 namespace raywalk {
 
 /// Keeps the hit with the smallest (t, id).
-struct ClosestHit {
+template <class Intersector>
+struct ClosestHitBy {
   static constexpr bool kAny = false;
-  WatertightRay ray;
+  Intersector ray;
   float tmin;
   Hit best;
 
-  ClosestHit() = default;
-  RW_FN explicit ClosestHit(const Ray& r) : ray(r), tmin(r.tmin), best(miss_of(r)) {}
+  ClosestHitBy() = default;
+  RW_FN explicit ClosestHitBy(const Ray& r) : ray(r), tmin(r.tmin), best(miss_of(r)) {}
   /// Farther than this nothing matters; a hit at exactly this t may still win by its id.
   RW_FN float tmax() const { return best.t; }
   /// True when the traversal is finished.
@@ -25,14 +27,15 @@ struct ClosestHit {
 };
 
 /// Stops at the first hit inside the interval.
-struct AnyHit {
+template <class Intersector>
+struct AnyHitBy {
   static constexpr bool kAny = true;
-  WatertightRay ray;
+  Intersector ray;
   float tmin, limit;
   bool occluded;
 
-  AnyHit() = default;
-  RW_FN explicit AnyHit(const Ray& r) : ray(r), tmin(r.tmin), limit(r.tmax), occluded(false) {}
+  AnyHitBy() = default;
+  RW_FN explicit AnyHitBy(const Ray& r) : ray(r), tmin(r.tmin), limit(r.tmax), occluded(false) {}
   RW_FN float tmax() const { return limit; }
   RW_FN bool test(const Corners& triangle) {
     float t, u, v;
@@ -40,5 +43,8 @@ struct AnyHit {
     return occluded;
   }
 };
+
+using ClosestHit = ClosestHitBy<Watertight>;
+using AnyHit = AnyHitBy<Watertight>;
 
 }  // namespace raywalk

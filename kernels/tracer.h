@@ -8,7 +8,7 @@
 namespace raywalk {
 
 /// Rays one by one.
-template <class Traversal, class CounterT>
+template <class Traversal, class CounterT, class Intersector = Watertight>
 struct SingleTracer {
   static constexpr u32 kLocal = 1;
   SceneView scene;
@@ -22,7 +22,7 @@ struct SingleTracer {
       hits[0] = miss_of(rays[0]);
       return;
     }
-    ClosestHit query(rays[0]);
+    ClosestHitBy<Intersector> query(rays[0]);
     Traversal::traverse(blob, scene, rays[0], query, counter);
     hits[0] = query.best;
   }
@@ -31,7 +31,7 @@ struct SingleTracer {
     if (!active[0]) return;
     counter.ray();
     if (!is_valid(rays[0])) return;
-    AnyHit query(rays[0]);
+    AnyHitBy<Intersector> query(rays[0]);
     Traversal::traverse(blob, scene, rays[0], query, counter);
     out[0] = query.occluded;
   }
@@ -39,7 +39,7 @@ struct SingleTracer {
 };
 
 /// Traversal::kGroup rays together.
-template <class Traversal, class CounterT>
+template <class Traversal, class CounterT, class Intersector = Watertight>
 struct GroupTracer {
   using Group = Lanes<Traversal::kGroup>;
   static constexpr u32 kLocal = Group::kLocal;
@@ -48,7 +48,7 @@ struct GroupTracer {
   CounterT counter[kLocal]{};
 
   RW_FN void closest(const Ray* rays, const bool* active, Hit* hits) {
-    ClosestHit queries[kLocal];
+    ClosestHitBy<Intersector> queries[kLocal];
     bool valid[kLocal];
     begin(rays, active, valid, queries);
     Traversal::template traverse<Group>(blob, scene, rays, valid, queries, counter);
@@ -56,7 +56,7 @@ struct GroupTracer {
       if (active[i]) hits[i] = valid[i] ? queries[i].best : miss_of(rays[i]);
   }
   RW_FN void occluded(const Ray* rays, const bool* active, bool* out) {
-    AnyHit queries[kLocal];
+    AnyHitBy<Intersector> queries[kLocal];
     bool valid[kLocal];
     begin(rays, active, valid, queries);
     Traversal::template traverse<Group>(blob, scene, rays, valid, queries, counter);

@@ -78,7 +78,7 @@ RW_FN float scale_of(float a) {
 RW_FN Vec3 normalized(Vec3 a) {
   const Vec3 scaled = a * scale_of(largest(magnitude(a)));
   const float l = length(scaled);
-  return l > 0.0f ? scaled * divide(1.0f, l) : a;
+  return l > 0.0f ? scaled * reciprocal(l) : a;
 }
 
 /// Axis-aligned box; empty when lo > hi.

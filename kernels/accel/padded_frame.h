@@ -86,7 +86,7 @@ RW_FN bool enter(const PaddedFrame& frame, const Ray& ray, LocalRay& local) {
   local.scale = float_of(static_cast<u32>(127 + clamped) << 23);
   const Vec3 scaled = ray.d * float_of(static_cast<u32>(127 - clamped) << 23);
   local.d = away_from_zero(scaled, 0x1p-30f * largest(magnitude(scaled)));
-  local.inverse = {divide(1.0f, local.d.x), divide(1.0f, local.d.y), divide(1.0f, local.d.z)};
+  local.inverse = {reciprocal(local.d.x), reciprocal(local.d.y), reciprocal(local.d.z)};
 
   const Vec3 origin = ray.o - frame.centre;
   const float away = largest(magnitude(origin));

@@ -21,7 +21,7 @@ namespace detail {
 /// An axis along which distances t would overflow or lose precision is left out: every box spans it.
 RW_FN void slab_axis(float o, float d, float smallest_d, float reach, float& inverse, float& near, float& far) {
   const u32 sign = bits_of(d) & 0x80000000u;
-  inverse = divide(1.0f, float_of(bits_of(larger(magnitude(d), smallest_d)) | sign));
+  inverse = reciprocal(float_of(bits_of(larger(magnitude(d), smallest_d)) | sign));
   const float span = reach * magnitude(inverse);
   if (span > 0x1p-100f && span < 0x1p126f) {
     const float padding = float_of(bits_of(reach * 0x1p-19f) | sign);

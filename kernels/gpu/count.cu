@@ -8,7 +8,7 @@ namespace {
 
 using CountingTracer = TracerOf<RW_TRAVERSAL, Counter>::Type;
 
-RW_FN const Counts& counts_of(const SingleTracer<RW_TRAVERSAL, Counter>& tracer) {
+RW_FN const Counts& counts_of(const SingleTracer<RW_TRAVERSAL, Counter, RW_INTERSECTOR>& tracer) {
   return tracer.counter.counts;
 }
 template <class TracerT>
@@ -19,8 +19,8 @@ RW_FN const Counts& counts_of(const TracerT& tracer) {
 }  // namespace
 
 /// Adds the work of all rays of a frame's pixels to `sum`.
-extern "C" __global__ void __launch_bounds__(RW_BLOCK)
-    count_frame(const u8* scene, const u8* structure, const __grid_constant__ FrameBatch batch, Counts* sum) {
+RW_KERNEL
+count_frame(const u8* scene, const u8* structure, const __grid_constant__ FrameBatch batch, Counts* sum) {
   FrameArgs args = batch.frames[0];
   args.mode = Mode{RW_MODE};
   const Pixel pixel = pixel_of(args, thread_number());
@@ -34,8 +34,8 @@ extern "C" __global__ void __launch_bounds__(RW_BLOCK)
 }
 
 /// Counts of each single ray (closest hit).
-extern "C" __global__ void __launch_bounds__(RW_BLOCK)
-    count_rays(const u8* scene, const u8* structure, const Ray* rays, u64 count, Counts* counts) {
+RW_KERNEL
+count_rays(const u8* scene, const u8* structure, const Ray* rays, u64 count, Counts* counts) {
   const u64 i = thread_number();
   const bool active = i < count;
   Ray ray{};

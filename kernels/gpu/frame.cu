@@ -4,8 +4,8 @@
 
 using namespace raywalk;
 
-extern "C" __global__ void __launch_bounds__(RW_BLOCK)
-    frame(const u8* scene, const u8* structure, const __grid_constant__ FrameBatch batch, Vec3* pixels) {
+RW_KERNEL
+frame(const u8* scene, const u8* structure, const __grid_constant__ FrameBatch batch, Vec3* pixels) {
   FrameArgs args = batch.frames[blockIdx.y];
   args.mode = Mode{RW_MODE};  // known to the compiler
   const Pixel pixel = pixel_of(args, thread_number());

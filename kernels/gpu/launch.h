@@ -2,22 +2,28 @@
 //   RW_TRAVERSAL  a type of kernels/accel/traversals.h     RW_INTERSECTOR    a type of kernels/query.h
 //   RW_FEATURES   bits of kernels/features.h               RW_MODE           a value of Mode
 //   RW_BLOCK      threads a block, a multiple of 32        RW_STACK_ENTRIES  of a short stack
+//   RW_REGISTERS  cap a thread; 0: the compiler's choice
 // A thread is one pixel or one ray. Pixels are numbered block by block (kBlockSide squared), Morton order inside.
 #pragma once
 #include "kernels/accel/traversals.h"
 #include "kernels/frame_request.h"
 #include "kernels/tracer.h"
 
+#if RW_REGISTERS
+#define RW_KERNEL extern "C" __global__ void __maxnreg__(RW_REGISTERS)
+#else
+#define RW_KERNEL extern "C" __global__ void __launch_bounds__(RW_BLOCK)
+#endif
+
 namespace raywalk {
 
 template <class Traversal, class CounterT, bool kSingle = Traversal::kGroup == 1>
 struct TracerOf {
-  using Type = SingleTracer<Traversal, CounterT>;
+  using Type = SingleTracer<Traversal, CounterT, RW_INTERSECTOR>;
 };
 template <class Traversal, class CounterT>
 struct TracerOf<Traversal, CounterT, false> {
-  static_assert(Traversal::kGroup == RW_BLOCK);
-  using Type = GroupTracer<Traversal, CounterT>;
+  using Type = GroupTracer<Traversal, CounterT, RW_INTERSECTOR>;
 };
 
 RW_FN u64 thread_number() {

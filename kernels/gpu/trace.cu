@@ -5,8 +5,8 @@ using namespace raywalk;
 
 /// Rays of the frame in the order of `pixel_of`; places of pixels outside the frame get a ray that misses everything.
 /// blockIdx.y is the frame of the batch.
-extern "C" __global__ void __launch_bounds__(RW_BLOCK)
-    primary_rays(const __grid_constant__ FrameBatch batch, u64 rays_per_frame, Ray* rays) {
+RW_KERNEL
+primary_rays(const __grid_constant__ FrameBatch batch, u64 rays_per_frame, Ray* rays) {
   const FrameArgs& args = batch.frames[blockIdx.y];
   const u64 thread = thread_number();
   if (thread >= rays_per_frame) return;
@@ -15,8 +15,8 @@ extern "C" __global__ void __launch_bounds__(RW_BLOCK)
   ray = pixel.inside ? primary_ray(args.camera, pixel.x, pixel.y) : Ray{};
 }
 
-extern "C" __global__ void __launch_bounds__(RW_BLOCK)
-    closest(const u8* scene, const u8* structure, const Ray* rays, u64 count, Hit* hits) {
+RW_KERNEL
+closest(const u8* scene, const u8* structure, const Ray* rays, u64 count, Hit* hits) {
   const u64 i = thread_number();
   const bool active = i < count;
   Ray ray{};
@@ -27,8 +27,8 @@ extern "C" __global__ void __launch_bounds__(RW_BLOCK)
   if (active) hits[i] = hit;
 }
 
-extern "C" __global__ void __launch_bounds__(RW_BLOCK)
-    occluded(const u8* scene, const u8* structure, const Ray* rays, u64 count, u8* out) {
+RW_KERNEL
+occluded(const u8* scene, const u8* structure, const Ray* rays, u64 count, u8* out) {
   const u64 i = thread_number();
   const bool active = i < count;
   Ray ray{};

@@ -103,7 +103,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
         Vec3 mirrored = m.reflection;
         if ((kFeatures & kFeatureRefraction) && largest(m.transmission) > 0.0f) {
           Vec3 d;
-          if (refracted(rays[i].d, n, s.front ? divide(1.0f, m.ior) : m.ior, d)) {
+          if (refracted(rays[i].d, n, s.front ? reciprocal(m.ior) : m.ior, d)) {
             pending[i][waiting[i]++] = {
                 {spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * m.transmission, bounces_left[i] - 1};
           } else {

@@ -8,13 +8,13 @@
 namespace raywalk {
 
 /// A ray sheared so that it runs along +z from the origin; made once a ray.
-struct WatertightRay {
+struct Watertight {
   u32 kx, ky, kz;
   float sx, sy, sz;
   float ox, oy, oz;  // the origin's components kx, ky, kz
 
-  WatertightRay() = default;
-  RW_FN explicit WatertightRay(const Ray& ray) {
+  Watertight() = default;
+  RW_FN explicit Watertight(const Ray& ray) {
     const Vec3 m = magnitude(ray.d);
     kz = m.x > m.y ? (m.x > m.z ? 0u : 2u) : (m.y > m.z ? 1u : 2u);
     kx = kz == 2u ? 0u : kz + 1u;
@@ -27,7 +27,7 @@ struct WatertightRay {
     }
     sx = divide(ray.d[kx], dz);
     sy = divide(ray.d[ky], dz);
-    sz = divide(1.0f, dz);
+    sz = reciprocal(dz);
     ox = ray.o[kx];
     oy = ray.o[ky];
     oz = ray.o[kz];
@@ -37,7 +37,7 @@ struct WatertightRay {
 /// Writes t, u, v and returns true when the line of the ray meets the triangle, edges and vertices included.
 /// The caller compares t with the interval. Degenerate and non-finite triangles are never met, nor are ones whose
 /// squared extent is no float (below 1e-19 or above 1e19 across).
-RW_FN bool intersect(const WatertightRay& ray, const Corners& triangle, float& t, float& u, float& v) {
+RW_FN bool intersect(const Watertight& ray, const Corners& triangle, float& t, float& u, float& v) {
   // Components are read by address: cheaper than selecting among values.
   const float *a = &triangle.a.x, *b = &triangle.b.x, *c = &triangle.c.x;
   const float az = a[ray.kz] - ray.oz, bz = b[ray.kz] - ray.oz, cz = c[ray.kz] - ray.oz;
@@ -50,7 +50,7 @@ RW_FN bool intersect(const WatertightRay& ray, const Corners& triangle, float& t
   if ((wa < 0.0f || wb < 0.0f || wc < 0.0f) && (wa > 0.0f || wb > 0.0f || wc > 0.0f)) return false;
   const float det = wa + wb + wc;
   if (!(magnitude(det) > 0.0f)) return false;  // also drops NaN
-  const float inverse = divide(1.0f, det);
+  const float inverse = reciprocal(det);
   u = wb * inverse;
   v = wc * inverse;
   // Weights first: a product of three lengths would leave the range of floats at scales of 1e-13 and 1e13.

@@ -6,7 +6,7 @@
 
 #include "kernels/accel/brute/traverse.h"
 #include "kernels/accel/bvh/build.h"
-#include "kernels/accel/bvh/packet.h"
+#include "kernels/accel/traversals.h"
 #include "kernels/accel/bvh/while_while.h"
 #include "kernels/counter.h"
 #include "tests/support/meshes.h"
@@ -39,7 +39,7 @@ inline bool bvh_any(const u8* bvh, SceneView scene, const Ray& ray) {
   return query.occluded;
 }
 
-constexpr u32 kPacket = 64;
+constexpr u32 kPacket = BvhPacket::kGroup;
 
 /// Up to kPacket rays through the packet traversal; the lanes beyond `count` are not active.
 template <class Query>

@@ -75,16 +75,33 @@ TEST(BvhPacket, AnyHitStopsWhenAllLanesAreOccluded) {
   }
 }
 
-TEST(Lanes, Collectives) {
+TEST(BvhPacket, OneSumTellsAllVotes) {
   using Eight = Lanes<8>;
-  bool flags[8] = {};
-  EXPECT_FALSE(Eight::any(flags));
-  flags[5] = true;
-  EXPECT_TRUE(Eight::any(flags));
-  const u32 votes[8] = {0, 0, 3, 0, 1, 1, 1, 0};
-  EXPECT_EQ(Eight::vote(votes), 1u << 0 | 1u << 1 | 1u << 3);
-  const i32 values[8] = {-1, -1, 0, 1, -1, 0, 0, 0};
-  EXPECT_EQ(Eight::sum(values), -2);
+  using bvh::packet::Votes;
+  // Left first, left alone (first, that is), right first, neither: the last has no say.
+  const u32 left_first = Votes::of_lane(true, true, -1), left_alone = Votes::of_lane(true, false, -1);
+  const u32 right_first = Votes::of_lane(true, true, 1), neither = Votes::of_lane(false, false, 0);
+  const u32 mostly_left[] = {left_first, left_alone, left_alone, right_first, neither, neither, neither, neither};
+  const u32 mostly_right[] = {right_first, right_first, left_alone, neither, neither, neither, neither, neither};
+  const u32 undecided[] = {right_first, left_first, neither, neither, neither, neither, neither, neither};
+  const u32 only_left[] = {left_alone, neither, neither, neither, neither, neither, neither, neither};
+  const Votes left{Eight::sum(mostly_left)}, right{Eight::sum(mostly_right)}, even{Eight::sum(undecided)};
+  EXPECT_TRUE(left.left() && left.right() && !left.right_first(8));
+  EXPECT_TRUE(right.left() && right.right() && right.right_first(8));
+  EXPECT_TRUE(!even.right_first(8));
+  const Votes alone{Eight::sum(only_left)};
+  EXPECT_TRUE(alone.left() && !alone.right());
+}
+
+TEST(BvhPacket, VotesOfTheLargestPacketFit) {
+  using Most = Lanes<bvh::packet::Votes::kMaxLanes>;
+  u32 votes[Most::kCount];
+  for (u32& vote : votes) vote = bvh::packet::Votes::of_lane(true, true, 1);
+  const bvh::packet::Votes all{Most::sum(votes)};
+  EXPECT_TRUE(all.left() && all.right() && all.right_first(Most::kCount));
+  for (u32& vote : votes) vote = bvh::packet::Votes::of_lane(false, true, -1);
+  const bvh::packet::Votes right{Most::sum(votes)};
+  EXPECT_TRUE(!right.left() && right.right() && !right.right_first(Most::kCount));
 }
 
 }  // namespace

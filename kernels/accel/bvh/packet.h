@@ -27,10 +27,24 @@ struct Slabs {
   }
 };
 
-/// What a lane wants of a node: vote = left + 2 * right; preference -1 for left first, +1 for right first, 0 for
-/// neither.
+/// What lanes want of a node, packed so that one sum over the lanes tells it of all: how many want the left child, how
+/// many the right one, and the order as the sum of -1 (left first), 0 and +1 (right first) of each lane.
+struct Votes {
+  static constexpr u32 kRight = 8, kOrder = 16;  // shifts; a field holds up to 2 * kMaxLanes
+  static constexpr u32 kMaxLanes = 127;
+  u32 sum;
+
+  RW_FN static u32 of_lane(bool left, bool right, i32 order) {
+    return (left ? 1u : 0u) | (right ? 1u : 0u) << kRight | static_cast<u32>(order + 1) << kOrder;
+  }
+  RW_FN bool left() const { return (sum & 255u) != 0; }
+  RW_FN bool right() const { return (sum >> kRight & 255u) != 0; }
+  RW_FN bool right_first(u32 lanes) const { return sum >> kOrder > lanes; }
+};
+
+/// The votes of a thread's lanes on a node. A lane that needs neither child has no say in the order.
 template <u32 N>
-RW_FN void choose(const Slabs<N>& s, const Node& node, u32* votes, i32* preferences) {
+RW_FN void choose(const Slabs<N>& s, const Node& node, u32* votes) {
   float entry[2][N], exit[2][N];
   for (u32 side = 0; side < 2; ++side) {
     for (u32 i = 0; i < N; ++i) {
@@ -48,11 +62,10 @@ RW_FN void choose(const Slabs<N>& s, const Node& node, u32* votes, i32* preferen
     }
   }
   for (u32 i = 0; i < N; ++i) {
-    const u32 left = entry[0][i] <= exit[0][i] ? 1u : 0u, right = entry[1][i] <= exit[1][i] ? 1u : 0u;
+    const bool left = entry[0][i] <= exit[0][i], right = entry[1][i] <= exit[1][i];
     const i32 nearer = (entry[1][i] < entry[0][i] ? 1 : 0) - (entry[0][i] < entry[1][i] ? 1 : 0);
-    const i32 alone = static_cast<i32>(right) - static_cast<i32>(left);
-    votes[i] = left + 2 * right;
-    preferences[i] = (left & right) != 0 ? nearer : alone;
+    const i32 alone = (right ? 1 : 0) - (left ? 1 : 0);
+    votes[i] = Votes::of_lane(left, right, left && right ? nearer : alone);
   }
 }
 
@@ -62,7 +75,7 @@ template <class LanesT, class Query, class Counter>
 RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray* rays, const bool* active, Query* queries,
                     Counter* counters) {
   constexpr u32 kLocal = LanesT::kLocal;
-  constexpr u32 kAnyLeft = 1u << 1 | 1u << 3, kAnyRight = 1u << 2 | 1u << 3;  // of votes 0 to 3
+  static_assert(LanesT::kCount <= Votes::kMaxLanes);
   const Header& header = header_of<Header>(blob);
   if (header.triangles.count == 0) return;
   const Node* nodes = data_of(blob, header.nodes);
@@ -81,7 +94,8 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray* rays, const 
   }
   if (!LanesT::any(going)) return;
 
-  RW_SHARED Child stack[kMaxDepth];
+  RW_SHARED Child stacks[LanesT::kGroups][kMaxDepth];
+  Child* stack = stacks[LanesT::group()];
   u32 waiting = 0;  // the same in all lanes
   Child at = header.root;
   for (;;) {
@@ -108,22 +122,20 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray* rays, const 
       }
     } else {
       const Node& node = nodes[at];
-      u32 votes[kLocal];
-      i32 preferences[kLocal];
-      choose(slabs, node, votes, preferences);
+      u32 lane_votes[kLocal];
+      choose(slabs, node, lane_votes);
       for (u32 i = 0; i < kLocal; ++i) {
         if (going[i]) counters[i].step();
       }
-      const u32 cast = LanesT::vote(votes);
-      const bool left = cast & kAnyLeft, right = cast & kAnyRight;
-      descends = left || right;
-      if (left && right) {
-        const u32 nearer = LanesT::sum(preferences) > 0 ? 1u : 0u;
+      const Votes votes{LanesT::sum(lane_votes)};
+      descends = votes.left() || votes.right();
+      if (votes.left() && votes.right()) {
+        const u32 nearer = votes.right_first(LanesT::kCount) ? 1u : 0u;
         if (LanesT::leads()) stack[waiting] = node.child[nearer ^ 1u];
         ++waiting;
         at = node.child[nearer];
       } else if (descends) {
-        at = node.child[right ? 1 : 0];
+        at = node.child[votes.right() ? 1 : 0];
       }
     }
     if (descends) continue;

@@ -19,7 +19,7 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray& ray, Query& 
   const Node* nodes = data_of(blob, header.nodes);
   const Corners* triangles = data_of(blob, header.triangles);
   const PairSlabs slabs(ray, header);
-  Float4 limits = limits_of(query.tmin, query.tmax());
+  PairLimits limits{query.tmin, query.tmax()};
   Waiting stack[kMaxDepth];
   u32 waiting = 0;
   Child at = header.root;
@@ -28,15 +28,15 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray& ray, Query& 
     while (!is_leaf(at)) {
       counter.step();
       const Node& node = nodes[at];
-      const Float4 t = distances(slabs, node, limits);
-      const u32 entered = ordered_pairs(t);
-      if (entered == 3) {
+      const Child left = node.child[0], right = node.child[1];
+      const PairEntries t = entries_of(slabs, node, limits);
+      if (t.meets_left && t.meets_right) {
         // Near first pays for any hit as well: an occluder is met sooner.
-        const u32 nearer = t[0] <= t[1] ? 0u : 1u;
-        stack[waiting++] = {node.child[nearer ^ 1u], nearer ? t[0] : t[1]};
-        at = node.child[nearer];
-      } else if (entered != 0) {
-        at = node.child[entered >> 1];
+        const bool left_first = t.left <= t.right;
+        stack[waiting++] = {left_first ? right : left, left_first ? t.right : t.left};
+        at = left_first ? left : right;
+      } else if (t.meets_left || t.meets_right) {
+        at = t.meets_left ? left : right;
       } else {
         missed = true;
         break;
@@ -48,7 +48,7 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray& ray, Query& 
         counter.test();
         if (query.test(triangles[i])) return;
       }
-      if constexpr (!Query::kAny) limits = limits_of(query.tmin, query.tmax());
+      if constexpr (!Query::kAny) limits = PairLimits{query.tmin, query.tmax()};
     }
     // A subtree at exactly the best distance may still hold a lower id.
     do {

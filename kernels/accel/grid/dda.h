@@ -37,7 +37,7 @@ struct Walk {
 /// The ray is valid.
 template <class Query, class Counter>
 RW_FN void traverse(const u8* blob, SceneView scene, const Ray& ray, Query& query, Counter& counter) {
-  const Header& grid = header_of<Header>(blob);
+  const Header grid = header_of<Header>(blob);  // a copy stays in registers
   LocalRay local;
   if (!enter(grid.frame, ray, local)) return;
   if (local.wide()) return traverse_wide(blob, scene, local, query, counter);

@@ -1,32 +1,9 @@
 // kd-tree traversal with a short stack, restart and push-down: Horn et al., "Interactive k-D Tree GPU Raytracing",
-// 2007. The stack is a parameter: it fixes what an entry holds and where it is stored.
+// 2007. The stack is a parameter: it fixes what an entry holds.
 #pragma once
 #include "kernels/accel/kdtree/wide.h"
 
 namespace raywalk::kdtree {
-
-constexpr u32 kStackEntries = 4;
-
-/// A ring of entries: a push onto a full ring forgets the oldest.
-template <class Entry>
-struct Ring {
-  Entry entries[kStackEntries];
-  u32 top = 0;
-  u32 count = 0;
-
-  RW_FN void push(const Entry& entry) {
-    entries[top] = entry;
-    top = (top + 1) % kStackEntries;
-    count = smaller(count + 1, kStackEntries);
-  }
-  RW_FN bool pop(Entry& entry) {
-    if (count == 0) return false;
-    --count;
-    top = (top + kStackEntries - 1) % kStackEntries;
-    entry = entries[top];
-    return true;
-  }
-};
 
 /// The ray is valid. `Stack` has push(enter, exit, node) for a far child and pop(enter, exit, node), which is called
 /// with `enter` at the exit of the leaf just done and returns false when nothing is left.

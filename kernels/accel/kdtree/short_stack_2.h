@@ -1,23 +1,22 @@
 // kd-tree traversal `kdtree/short-stack-2` (the study's kdt-2): an entry is (exit, node), for a far child is entered
 // where the leaf just done was left.
 #pragma once
+#include "kernels/accel/kdtree/ring.h"
 #include "kernels/accel/kdtree/short_stack.h"
 
 namespace raywalk::kdtree::short_stack_2 {
 
-struct Entry {
-  float exit;
-  u32 node;
-};
-
 struct Stack {
-  Ring<Entry> ring;
-  RW_FN void push(float /*enter*/, float exit, u32 node) { ring.push({exit, node}); }
+  Ring<2> ring;
+  RW_FN void push(float /*enter*/, float exit, u32 node) {
+    const u32 entry[] = {bits_of(exit), node};
+    ring.push(entry);
+  }
   RW_FN bool pop(float& /*enter*/, float& exit, u32& node) {
-    Entry entry;
+    u32 entry[2];
     if (!ring.pop(entry)) return false;
-    exit = entry.exit;
-    node = entry.node;
+    exit = float_of(entry[0]);
+    node = entry[1];
     return true;
   }
 };

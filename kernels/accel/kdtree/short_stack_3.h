@@ -1,23 +1,22 @@
 // kd-tree traversal `kdtree/short-stack-3` (the study's kdt-3): an entry is (enter, exit, node).
 #pragma once
+#include "kernels/accel/kdtree/ring.h"
 #include "kernels/accel/kdtree/short_stack.h"
 
 namespace raywalk::kdtree::short_stack_3 {
 
-struct Entry {
-  float enter, exit;
-  u32 node;
-};
-
 struct Stack {
-  Ring<Entry> ring;
-  RW_FN void push(float enter, float exit, u32 node) { ring.push({enter, exit, node}); }
+  Ring<3> ring;
+  RW_FN void push(float enter, float exit, u32 node) {
+    const u32 entry[] = {bits_of(enter), bits_of(exit), node};
+    ring.push(entry);
+  }
   RW_FN bool pop(float& enter, float& exit, u32& node) {
-    Entry entry;
+    u32 entry[3];
     if (!ring.pop(entry)) return false;
-    enter = entry.enter;
-    exit = entry.exit;
-    node = entry.node;
+    enter = float_of(entry[0]);
+    exit = float_of(entry[1]);
+    node = entry[2];
     return true;
   }
 };
