@@ -1,4 +1,4 @@
-// States of jobs and their one worker.
+// States of jobs, each told to the keeper, and their one worker.
 #include "server/bench/job_queue.h"
 
 #include <spdlog/spdlog.h>
@@ -25,9 +25,33 @@ std::string new_id(u64 number) {
   return text;
 }
 
+/// The job once it has ended so.
+Job ended_as(Job job, JobState state) {
+  job.state = state;
+  job.ended_at = now_text();
+  job.stage = state == JobState::succeeded ? "done" : state == JobState::failed ? "failed" : "stopped";
+  if (state == JobState::succeeded) {
+    job.progress = 1;
+    job.frames_done = job.frames_total;
+  }
+  ++job.version;
+  return job;
+}
+
 }  // namespace
 
-JobQueue::JobQueue(Run run) : run_(std::move(run)), thread_([this] { loop(); }) {}
+JobQueue::JobQueue(Run run, JobKeeper& keeper, std::vector<Job> kept) : run_(std::move(run)), keeper_(keeper) {
+  for (Job& job : kept) {
+    if (!job.key.empty()) keys_[job.key] = job.id;
+    entries_.push_back(std::make_unique<Entry>());
+    entries_.back()->job = std::move(job);
+  }
+  forget_old();
+}
+
+void JobQueue::start() {
+  thread_ = std::thread([this] { loop(); });
+}
 
 JobQueue::~JobQueue() {
   {
@@ -36,7 +60,7 @@ JobQueue::~JobQueue() {
   }
   work_.notify_all();
   changed_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 JobQueue::Submitted JobQueue::submit(BenchmarkSpec spec, const std::string& key) {
@@ -57,7 +81,8 @@ JobQueue::Submitted JobQueue::submit(BenchmarkSpec spec, const std::string& key)
   entry->job.id = new_id(++last_id_);
   entry->job.spec = std::move(spec);
   entry->job.created_at = now_text();
-  entry->key = key;
+  entry->job.key = key;
+  keeper_.keep(entry->job);
   if (!key.empty()) keys_[key] = entry->job.id;
   entries_.push_back(std::move(entry));
   work_.notify_one();
@@ -133,7 +158,8 @@ void JobQueue::report(Entry& entry, const BenchmarkProgress& progress) {
   Job& job = entry.job;
   const JobState state = progress.validating ? JobState::validating : JobState::running;
   const auto now = std::chrono::steady_clock::now();
-  if (state == job.state && progress.stage == job.stage && now - entry.reported < kReportInterval) return;
+  const bool new_stage = state != job.state || progress.stage != job.stage;
+  if (!new_stage && now - entry.reported < kReportInterval) return;
   entry.reported = now;
   job.state = state;
   job.stage = progress.stage;
@@ -141,19 +167,21 @@ void JobQueue::report(Entry& entry, const BenchmarkProgress& progress) {
   job.frames_done = progress.frames_done;
   job.frames_total = progress.frames_total;
   ++job.version;
+  if (new_stage) keep(job);
   changed_.notify_all();
 }
 
-void JobQueue::finish(Entry& entry, JobState state) {
-  Job& job = entry.job;
-  job.state = state;
-  job.ended_at = now_text();
-  job.stage = state == JobState::succeeded ? "done" : state == JobState::failed ? "failed" : "stopped";
-  if (state == JobState::succeeded) {
-    job.progress = 1;
-    job.frames_done = job.frames_total;
+void JobQueue::keep(const Job& job) {
+  try {
+    keeper_.keep(job);
+  } catch (const std::exception& e) {
+    spdlog::error("job {} would not be known after a restart: {}", job.id, e.what());
   }
-  ++job.version;
+}
+
+void JobQueue::finish(Entry& entry, JobState state) {
+  entry.job = ended_as(std::move(entry.job), state);
+  keep(entry.job);
   changed_.notify_all();
 }
 
@@ -165,37 +193,53 @@ void JobQueue::forget_old() {
       ++entry;
       continue;
     }
-    if (!(*entry)->key.empty()) keys_.erase((*entry)->key);
+    const Job& job = (*entry)->job;
+    if (!job.key.empty()) keys_.erase(job.key);
+    try {
+      keeper_.forget(job.id);
+    } catch (const std::exception& e) {
+      spdlog::error("job {} stays in the store: {}", job.id, e.what());
+    }
     entry = entries_.erase(entry);
     --ended;
   }
 }
 
+/// Writing a large result takes its time: the queue is not locked meanwhile.
+void JobQueue::succeed(Entry& entry, const BenchmarkResult& result) {
+  std::unique_lock lock(mutex_);
+  Job done = ended_as(entry.job, JobState::succeeded);
+  lock.unlock();
+  done.has_result = true;
+  keeper_.keep(done, result);
+  lock.lock();
+  entry.job = std::move(done);
+  changed_.notify_all();
+}
+
 void JobQueue::work_on(Entry& entry) {
-  std::shared_ptr<const BenchmarkResult> result;
   std::exception_ptr error;
-  bool stopped = false;
+  bool lost = false;
   try {
-    result = std::make_shared<const BenchmarkResult>(
-        run_(entry.job.spec, [&](const BenchmarkProgress& progress) { report(entry, progress); }));
+    succeed(entry, run_(entry.job.spec, [&](const BenchmarkProgress& progress) { report(entry, progress); }));
   } catch (const Stopped&) {
-    stopped = true;
   } catch (const std::exception& e) {
     spdlog::warn("job {} failed: {}", entry.job.id, e.what());
     error = std::current_exception();
+    lost = dynamic_cast<const DeviceLost*>(&e) != nullptr;
   }
   const std::lock_guard lock(mutex_);
-  entry.job.result = std::move(result);
-  entry.job.error = error;
-  finish(entry, stopped ? (entry.cancel ? JobState::cancelled : JobState::interrupted)
-                : error ? JobState::failed
-                        : JobState::succeeded);
+  if (!entry.job.ended()) {
+    entry.job.error = error;
+    finish(entry, error ? JobState::failed : entry.cancel ? JobState::cancelled : JobState::interrupted);
+  }
+  device_lost_ = lost;
   forget_old();
 }
 
 void JobQueue::loop() {
   std::unique_lock lock(mutex_);
-  while (!stopping_) {
+  while (!stopping_ && !device_lost_) {
     const auto next =
         std::find_if(entries_.begin(), entries_.end(), [](const auto& e) { return e->job.state == JobState::queued; });
     if (next == entries_.end()) {
@@ -208,15 +252,13 @@ void JobQueue::loop() {
     entry.job.started_at = now_text();
     entry.started = std::chrono::steady_clock::now();
     ++entry.job.version;
+    keep(entry.job);
     changed_.notify_all();
     lock.unlock();
     spdlog::info("job {} started: scene={}", entry.job.id, entry.job.spec.scene);
     work_on(entry);
     spdlog::info("job {} ended", entry.job.id);
     lock.lock();
-  }
-  for (const auto& entry : entries_) {
-    if (!entry->job.ended()) finish(*entry, JobState::interrupted);
   }
 }
 

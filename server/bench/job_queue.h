@@ -1,9 +1,9 @@
-// Benchmark jobs: a bounded queue in memory and the one thread that works it off.
+// Benchmark jobs: a bounded queue and the one thread that works it off.
 #pragma once
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <exception>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -13,28 +13,10 @@
 #include <vector>
 
 #include "server/bench/benchmark.h"
+#include "server/bench/job.h"
+#include "server/bench/job_keeper.h"
 
 namespace raywalk {
-
-enum class JobState { queued, running, validating, succeeded, failed, cancelled, interrupted };
-
-/// A snapshot of a job.
-struct Job {
-  std::string id;
-  BenchmarkSpec spec;
-  JobState state = JobState::queued;
-  u32 position = 0;  // jobs before it; 0 when running or ended
-  double progress = 0;
-  std::string stage = "waiting";
-  u64 frames_done = 0, frames_total = 0;
-  std::optional<double> eta_s;
-  std::exception_ptr error;  // when failed
-  std::string created_at, started_at, ended_at;
-  u64 version = 1;  // grows with every change
-  std::shared_ptr<const BenchmarkResult> result;
-
-  bool ended() const { return state >= JobState::succeeded; }
-};
 
 class JobQueue {
  public:
@@ -43,17 +25,23 @@ class JobQueue {
   static constexpr std::size_t kMaxQueued = 64;
   static constexpr std::size_t kMaxEnded = 256;  // the oldest of more are forgotten
 
-  explicit JobQueue(Run run);
-  /// The job that runs ends as interrupted at its next frame.
+  /// `kept` are jobs of an earlier daemon, oldest first, queued or ended. Every change of a job's state or stage is
+  /// told to `keeper`, which outlives the queue.
+  JobQueue(Run run, JobKeeper& keeper, std::vector<Job> kept = {});
+  /// The job that runs ends as interrupted at its next frame; those that wait are kept as they are.
   ~JobQueue();
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
+
+  /// Begins to work; jobs only wait before.
+  void start();
 
   struct Submitted {
     Job job;
     bool fresh;  // false: a job with this key was there
   };
-  /// `key` may be empty. Throws Refusal queue_full, idempotency_key_reused for another spec under a known key.
+  /// `key` may be empty. Throws Refusal queue_full, idempotency_key_reused for another spec under a known key, and what
+  /// the keeper throws.
   Submitted submit(BenchmarkSpec spec, const std::string& key);
 
   /// Newest first.
@@ -69,7 +57,6 @@ class JobQueue {
  private:
   struct Entry {
     Job job;
-    std::string key;
     bool cancel = false;
     std::chrono::steady_clock::time_point started, reported;
   };
@@ -77,12 +64,15 @@ class JobQueue {
   void loop();
   void work_on(Entry& entry);
   void report(Entry& entry, const BenchmarkProgress& progress);
+  void succeed(Entry& entry, const BenchmarkResult& result);
   void finish(Entry& entry, JobState state);
+  void keep(const Job& job);
   void forget_old();
   Entry& entry_of(const std::string& id) const;
   Job snapshot(const Entry& entry) const;
 
   Run run_;
+  JobKeeper& keeper_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::condition_variable work_;
@@ -90,6 +80,7 @@ class JobQueue {
   std::map<std::string, std::string> keys_;     // Idempotency-Key to id
   u64 last_id_ = 0;
   bool stopping_ = false;
+  bool device_lost_ = false;  // jobs that wait are for the next daemon
   std::thread thread_;
 };
 

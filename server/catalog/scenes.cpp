@@ -12,7 +12,8 @@ namespace {
 
 constexpr u64 kMaxTriangles = 100'000'000;
 
-ScenePtr make_resident(Scene scene, SceneInfo info, bool uploaded, std::chrono::steady_clock::time_point begin) {
+std::shared_ptr<LoadedScene> make_resident(Scene scene, SceneInfo info, bool uploaded,
+                                           std::chrono::steady_clock::time_point begin) {
   if (scene.triangles.size() > kMaxTriangles) {
     throw std::runtime_error("the scene has " + std::to_string(scene.triangles.size()) + " triangles, more than " +
                              std::to_string(kMaxTriangles));
@@ -137,7 +138,10 @@ ScenePtr Scenes::load_now(const std::string& name, std::optional<u64> triangles)
   const auto info = std::find_if(all.begin(), all.end(), [&](const SceneInfo& i) { return i.name == name; });
   if (info == all.end()) refuse_unknown(name, "/name");
   try {
-    return make_resident(load_scene(name, scenes_dir_, data_dir_, triangles), *info, /*uploaded=*/false, begin);
+    const std::shared_ptr<LoadedScene> scene =
+        make_resident(load_scene(name, scenes_dir_, data_dir_, triangles), *info, /*uploaded=*/false, begin);
+    scene->asked_triangles = triangles;
+    return scene;
   } catch (const std::invalid_argument& e) {
     throw Refusal(Refusal::Why::invalid, "invalid_triangles", e.what()).at("/triangles");
   } catch (const std::runtime_error& e) {

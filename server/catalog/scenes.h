@@ -18,6 +18,7 @@ namespace raywalk {
 struct LoadedScene {
   SceneInfo info;
   bool uploaded = false;
+  std::optional<u64> asked_triangles;  // what it was loaded for, of scenes that are generated
   std::shared_ptr<const Blob> blob;
   CameraPath camera_path;
   Box bounds;

@@ -9,6 +9,8 @@
 namespace raywalk::http {
 namespace {
 
+constexpr const char* kPrefix = "upload-";
+
 /// `take` gets the pieces up to `limit` bytes.
 void read_counted(const Reader& reader, std::size_t limit, const std::function<bool(const char*, std::size_t)>& take) {
   std::size_t total = 0;
@@ -27,7 +29,7 @@ void read_counted(const Reader& reader, std::size_t limit, const std::function<b
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::filesystem::path& dir) {
-  std::string name = (dir / "upload-XXXXXX").string();
+  std::string name = (dir / (std::string(kPrefix) + "XXXXXX")).string();
   const int descriptor = mkstemp(name.data());
   if (descriptor < 0) throw std::runtime_error("cannot create a file in " + dir.string());
   close(descriptor);
@@ -37,6 +39,13 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& dir) {
 TemporaryFile::~TemporaryFile() {
   std::error_code ignored;
   if (!path_.empty()) std::filesystem::remove(path_, ignored);
+}
+
+void TemporaryFile::remove_leftovers(const std::filesystem::path& dir) {
+  std::error_code ignored;  // what cannot be removed does no harm
+  for (const auto& entry : std::filesystem::directory_iterator(dir, ignored)) {
+    if (entry.path().filename().string().starts_with(kPrefix)) std::filesystem::remove(entry.path(), ignored);
+  }
 }
 
 std::string read_bytes(const Reader& reader, std::size_t limit) {

@@ -18,6 +18,8 @@ class TemporaryFile {
   TemporaryFile() = default;
   /// A new file in `dir`. Throws std::runtime_error.
   explicit TemporaryFile(const std::filesystem::path& dir);
+  /// Removes those that a crashed process left in `dir`, which no other process uses.
+  static void remove_leftovers(const std::filesystem::path& dir);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;

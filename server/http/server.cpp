@@ -264,6 +264,7 @@ struct Server::Impl {
 
 Server::Server(ServerConfig config, Router router, std::function<void(const Exchange&)> observe)
     : impl_(std::make_unique<Impl>(std::move(config), std::move(router), std::move(observe))) {
+  TemporaryFile::remove_leftovers(impl_->config.upload_dir);
   impl_->install();
 }
 

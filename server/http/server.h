@@ -20,7 +20,7 @@ struct ServerConfig {
   std::string host = "127.0.0.1";
   int port = 0;  // 0 = any free one
   Limits limits = {};
-  std::filesystem::path upload_dir;  // holds uploads while they are read
+  std::filesystem::path upload_dir;  // holds uploads while they are read; of this server alone
   int threads = 256;                 // a connection holds one while it is open
 };
 

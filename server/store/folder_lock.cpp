@@ -7,7 +7,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 
 namespace raywalk::store {
@@ -15,17 +14,16 @@ namespace raywalk::store {
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : descriptor_(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
   if (descriptor_ < 0) {
-    throw std::runtime_error("The state folder " + folder.string() + " cannot be locked: " + std::strerror(errno) +
-                             ".");
+    throw FolderError("The state folder " + folder.string() + " cannot be locked: " + std::strerror(errno) + ".");
   }
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   const int error = errno;
   close(descriptor_);
   if (error == EWOULDBLOCK) {
-    throw std::runtime_error("Another daemon uses the state folder " + folder.string() +
-                             "; stop it, or name another folder with --state.");
+    throw FolderError("Another daemon uses the state folder " + folder.string() +
+                      "; stop it, or name another folder with --state.");
   }
-  throw std::runtime_error("The state folder " + folder.string() + " cannot be locked: " + std::strerror(error) + ".");
+  throw FolderError("The state folder " + folder.string() + " cannot be locked: " + std::strerror(error) + ".");
 }
 
 FolderLock::~FolderLock() {

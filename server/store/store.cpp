@@ -80,12 +80,20 @@ Store::Store(const std::filesystem::path& folder) {
     open_sound(database_, file);
   }
   crashed_before_ = number_of(*database_, "SELECT ended FROM session") == 0;
+}
+
+void Store::begin_session() {
+  const std::lock_guard lock(mutex_);
   database_->run("UPDATE session SET ended = 0");
 }
 
 void Store::end_session() {
   const std::lock_guard lock(mutex_);
-  database_->run("UPDATE session SET ended = 1");
+  try {
+    database_->run("UPDATE session SET ended = 1");
+  } catch (const DatabaseError& e) {
+    spdlog::error("this stop will look like a crash: {}", e.what());
+  }
 }
 
 void Store::save_now(const JobRow& job) {

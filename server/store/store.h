@@ -45,13 +45,15 @@ struct Resident {
 /// From any thread. Every call may throw DatabaseError; what it did not finish is as before.
 class Store {
  public:
-  /// Opens `folder`/raywalk.db, and begins a session. A file that is damaged or of another version is moved aside with
-  /// a warning in the log, and a new one begun.
+  /// Opens `folder`/raywalk.db. A file that is damaged or of another version is moved aside with a warning in the log,
+  /// and a new one begun.
   explicit Store(const std::filesystem::path& folder);
 
-  /// The daemon before did not say end_session.
+  /// The session before was not ended.
   bool crashed_before() const { return crashed_before_; }
-  /// The daemon stops because it was told to.
+  /// From now on the daemon serves.
+  void begin_session();
+  /// The daemon stops because it was told to. Throws nothing: a failure is logged.
   void end_session();
 
   /// Inserts or replaces by id; the order of first saving is kept.

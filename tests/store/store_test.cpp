@@ -117,6 +117,8 @@ TEST_F(StoreTest, KeepsTheBytesOfResults) {
 
 TEST_F(StoreTest, KnowsACrashFromAnEnd) {
   EXPECT_FALSE(Store(folder).crashed_before()) << "nothing was before";
+  EXPECT_FALSE(Store(folder).crashed_before()) << "one that never served did not crash";
+  Store(folder).begin_session();
   EXPECT_TRUE(Store(folder).crashed_before());
   Store(folder).end_session();
   Store after(folder);
@@ -196,6 +198,7 @@ TEST_F(StoreTest, ATornLogLosesNothingThatCameBefore) {
   std::filesystem::create_directory(copy);
   {
     Store store(folder);
+    store.begin_session();
     store.save(job_named("j1"), {"json", "csv"});
     store.save(job_named("j2"));
     for (const char* file : {"raywalk.db", "raywalk.db-wal"}) {
@@ -220,12 +223,12 @@ TEST_F(StoreTest, OneHolderAFolder) {
     try {
       const FolderLock second(folder);
       FAIL() << "the folder should be held";
-    } catch (const std::runtime_error& e) {
+    } catch (const FolderError& e) {
       EXPECT_NE(std::string(e.what()).find("Another daemon uses the state folder"), std::string::npos) << e.what();
     }
   }
   EXPECT_NO_THROW(FolderLock{folder});
-  EXPECT_THROW(FolderLock(folder / "nothing"), std::runtime_error);
+  EXPECT_THROW(FolderLock(folder / "nothing"), FolderError);
 }
 
 }  // namespace
