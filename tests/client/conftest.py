@@ -7,10 +7,15 @@ from typing import Any
 
 import httpx2
 import pytest
+from raywalk.cli import app
+from raywalk.cli.session import Settings
 from raywalk.client import Client
 from raywalk.models import BenchmarkResult
+from typer.testing import CliRunner
 
 HERE = Path(__file__).resolve().parent
+JOB = {"id": "j1", "kind": "benchmark", "spec": {"scene": "bunny"}, "state": "running", "position": 0}
+JOB |= {"progress": 0.5, "stage": "measuring", "attempt": 1, "created_at": "2026-01-01T00:00:00Z"}
 Reply = httpx2.Response | Callable[[httpx2.Request], httpx2.Response] | dict | list | str | bytes
 
 
@@ -71,3 +76,43 @@ def client(daemon: FakeDaemon) -> Client:
 def result() -> BenchmarkResult:
     """A small result of a run on the bunny."""
     return BenchmarkResult.model_validate_json((HERE / "data/result.json").read_bytes())
+
+
+@pytest.fixture
+def gpu() -> BenchmarkResult:
+    """A result of a GPU, made by hand: four techniques with a register cap, throughput and telemetry."""
+    return BenchmarkResult.model_validate_json((HERE / "data/gpu.json").read_bytes())
+
+
+@pytest.fixture
+def sweep() -> BenchmarkResult:
+    """A result of `bench --table 3`, made by hand: two techniques, three register caps."""
+    return BenchmarkResult.model_validate_json((HERE / "data/sweep.json").read_bytes())
+
+
+@pytest.fixture
+def raywalk(daemon: FakeDaemon) -> Callable[..., Any]:
+    """Runs a command line; gives exit code, stdout and stderr."""
+
+    def run(*words: object) -> Any:
+        return CliRunner().invoke(app, [str(word) for word in words], obj=Settings(transport=daemon.transport))
+
+    return run
+
+
+EVENTS = {"Content-Type": "text/event-stream"}
+
+
+def job_that_gives(daemon: FakeDaemon, *results: BenchmarkResult) -> None:
+    """One job after the other, each at its end at once."""
+    daemon.on("POST", "/v1/jobs", *[JOB | {"id": f"j{number}"} for number in range(len(results))])
+    for number, result in enumerate(results):
+        ended = JOB | {"id": f"j{number}", "state": "succeeded", "result": f"r{number}"}
+        stream = f"event: job\ndata: {json.dumps(ended)}\n\n"
+        daemon.on("GET", f"/v1/jobs/j{number}/events", httpx2.Response(200, content=stream, headers=EVENTS))
+        daemon.on("GET", f"/v1/results/r{number}", result.model_dump(mode="json"))
+
+
+def specs_sent(daemon: FakeDaemon) -> list[dict[str, Any]]:
+    """The specifications of the jobs that were asked for."""
+    return [json.loads(one.content)["spec"] for one in daemon.requests if one.url.path == "/v1/jobs"]

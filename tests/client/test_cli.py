@@ -11,11 +11,10 @@ import httpx2
 import pytest
 from PIL import Image
 from raywalk.cli import app
-from raywalk.cli.session import Settings
 from typer.testing import CliRunner
 
-from tests.client.conftest import HERE, problem
-from tests.client.test_client import JOB, SCENE, STRUCTURE, SYSTEM
+from tests.client.conftest import EVENTS, HERE, JOB, job_that_gives, problem
+from tests.client.test_client import SCENE, STRUCTURE, SYSTEM
 
 KINDS = {
     "kinds": [
@@ -23,16 +22,6 @@ KINDS = {
         {"name": "embree", "help": "h", "options": [], "traversals": [{"name": "intersect", "help": "h"}]},
     ]
 }
-
-
-@pytest.fixture
-def raywalk(daemon):
-    """Runs a command line; gives exit code, stdout and stderr."""
-
-    def run(*words: str):
-        return CliRunner().invoke(app, [str(word) for word in words], obj=Settings(transport=daemon.transport))
-
-    return run
 
 
 def image(kind: str = "PNG", side: tuple[int, int] = (8, 6)) -> httpx2.Response:
@@ -206,19 +195,8 @@ def test_unwritable_out_comes_first(raywalk, ready, tmp_path) -> None:
     assert ready.requests == []
 
 
-def prepare_job(daemon, result) -> None:
-    daemon.on("POST", "/v1/jobs", JOB)
-    ended = JOB | {"state": "succeeded", "result": "r1", "frames_done": 8, "frames_total": 8}
-    stream = f"event: job\ndata: {json.dumps(ended)}\n\n"
-    daemon.on("GET", "/v1/jobs/j1/events", httpx2.Response(200, content=stream, headers=EVENTS))
-    daemon.on("GET", "/v1/results/r1", result.model_dump(mode="json"))
-
-
-EVENTS = {"Content-Type": "text/event-stream"}
-
-
 def test_bench(raywalk, ready, result, tmp_path) -> None:
-    prepare_job(ready, result)
+    job_that_gives(ready, result)
     words = ["bench", "bunny", "--techniques", "bvh/packet,grid/dda", "--modes", "primary", "--frames", "8"]
     got = raywalk(*words, "--size", "64x32", "--out", tmp_path / "r.json")
     assert got.exit_code == 0, got.stderr
@@ -237,10 +215,10 @@ def test_bench(raywalk, ready, result, tmp_path) -> None:
 
 
 def test_bench_that_fails(raywalk, ready, result) -> None:
-    prepare_job(ready, result)
+    job_that_gives(ready, result)
     error = problem(503, "out_of_memory", "no memory").json()
     stream = f"event: job\ndata: {json.dumps(JOB | {'state': 'failed', 'error': error})}\n\n"
-    ready.on("GET", "/v1/jobs/j1/events", httpx2.Response(200, content=stream, headers=EVENTS))
+    ready.on("GET", "/v1/jobs/j0/events", httpx2.Response(200, content=stream, headers=EVENTS))
     got = raywalk("bench", "bunny")
     assert (got.exit_code, got.stderr) == (1, "raywalk: the benchmark of bunny ended as failed: no memory\n")
 
@@ -258,3 +236,37 @@ def test_doctor(raywalk, ready) -> None:
     assert all(line.split()[0] in ("ok", "warn", "fail") for line in lines)
     assert any(line.startswith("fail techniques: missing: grid/dda") for line in lines)
     assert any(line.startswith("ok   Embree") for line in lines)
+
+
+def doctor_with(raywalk, ready, **device) -> list[str]:
+    ready.on("GET", "/v1/system", SYSTEM | {"device": SYSTEM["device"] | device})
+    return raywalk("doctor").stdout.splitlines()
+
+
+def test_doctor_shows_a_gpu(raywalk, ready) -> None:
+    memory = {"total_bytes": 85_000_000_000, "free_bytes": 84_000_000_000, "resident_bytes": 100_000_000}
+    details = {"driver": "580.95", "architecture": "sm_90"}
+    lines = doctor_with(raywalk, ready, name="H100", kind="cuda", details=details, memory=memory)
+    assert "ok   device: H100 (cuda), 2 threads" in lines
+    assert "ok   device details: architecture sm_90, driver 580.95" in lines
+    assert "ok   device memory: 85.0 GB, 84.0 GB free, 0.1 GB scenes and structures" in lines
+    assert not any("GPU" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("reason", "advice"),
+    [
+        ("libcuda.so.1 was not found.", " → for a GPU, install NVIDIA's driver; without one the CPU renders"),
+        ("There is no kernel compiler (NVRTC).", " → pip install nvidia-cuda-nvrtc"),
+        ("The driver shows no device of it all.", " → for a GPU, install NVIDIA's driver; without one the CPU renders"),
+        ("It is a toy.", ""),
+    ],
+)
+def test_doctor_says_why_there_is_no_gpu(raywalk, ready, reason, advice) -> None:
+    assert f"warn GPU: not used: {reason}{advice}" in doctor_with(raywalk, ready, no_cuda=reason)
+
+
+def test_a_device_is_for_a_daemon_of_ones_own() -> None:
+    got = CliRunner().invoke(app, ["--server", "http://127.0.0.1:9", "--device", "cpu", "doctor"])
+    assert (got.exit_code, "--device is for a daemon" in got.stderr) == (2, True)
+    assert CliRunner().invoke(app, ["--device", "tpu", "doctor"]).exit_code == 2

@@ -9,16 +9,18 @@ from raywalk.client import Client
 from raywalk.errors import RaywalkError
 from raywalk.payload import HIT, MISS, pack_rays, server_timing
 
+from tests.client.conftest import JOB
+
 SCENE = {"name": "bunny", "title": "Bunny", "triangles": 3, "lights": 1, "fidelity": "original"}
 SCENE |= {"loaded": True, "warnings": []}
 STRUCTURE = {"id": "s1", "scene": "bunny", "kind": "bvh", "options": {}, "state": "ready"}
-JOB = {"id": "j1", "kind": "benchmark", "spec": {"scene": "bunny"}, "state": "running", "position": 0}
-JOB |= {"progress": 0.5, "stage": "measuring", "attempt": 1, "created_at": "2026-01-01T00:00:00Z"}
 MACHINE = {"fingerprint": "f", "hostname": "h", "os": "o", "kernel": "k", "cpu": "c", "cores": 2, "threads": 2}
 MACHINE |= {"memory_bytes": 1, "governor": "g", "device": "d", "compiler": "c", "build_type": "Release"}
 MACHINE |= {"build_flags": "", "version": "0", "git_commit": "unknown", "libraries": {}}
 LIMITS = dict.fromkeys(models.Limits.model_fields, 1)
-SYSTEM = {"machine": MACHINE, "device": {"name": "d", "kind": "cpu", "requested": "auto"}, "limits": LIMITS}
+MEMORY = {"total_bytes": 0, "free_bytes": 0, "resident_bytes": 0}
+DEVICE = {"name": "d", "kind": "cpu", "requested": "auto", "no_cuda": None, "details": {}, "memory": MEMORY}
+SYSTEM = {"machine": MACHINE, "device": DEVICE, "limits": LIMITS}
 SYSTEM |= {"resident": {"scenes": 0, "structures": 0, "bytes": 0}, "uptime_s": 1.5, "warnings": []}
 
 

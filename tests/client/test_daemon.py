@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
+from raywalk import nvrtc
 from raywalk.client import Client
 from raywalk.daemon import LocalDaemon
 from raywalk.errors import RaywalkError, UnreachableError
@@ -51,6 +52,32 @@ def test_starts_and_stops(tmp_path) -> None:
         pid = daemon._process.pid
         assert is_alive(pid)
     assert not is_alive(pid)
+
+
+TELLS = "import os, pathlib; pathlib.Path(os.environ['TOLD']).write_text(os.environ.get('RAYWALK_NVRTC', 'none'))\n"
+
+
+@pytest.mark.parametrize(
+    ("variable", "wheel", "told"),
+    [
+        (None, "/w/libnvrtc.so.13", "/w/libnvrtc.so.13"),
+        ("/own.so", "/w/libnvrtc.so.13", "/own.so"),
+        (None, None, "none"),
+    ],
+)
+def test_names_the_kernel_compiler_of_python(tmp_path, monkeypatch, variable, wheel, told) -> None:
+    monkeypatch.setenv("TOLD", str(tmp_path / "told"))
+    monkeypatch.setattr(nvrtc, "wheel_library", lambda: wheel and Path(wheel))
+    monkeypatch.setenv("RAYWALK_NVRTC", variable) if variable else monkeypatch.delenv("RAYWALK_NVRTC", raising=False)
+    with LocalDaemon(script(tmp_path, TELLS + SERVER)):
+        assert (tmp_path / "told").read_text() == told
+
+
+def test_finds_the_kernel_compiler_of_python(monkeypatch) -> None:
+    library = nvrtc.wheel_library()
+    assert library is not None and library.is_file() and library.name.startswith("libnvrtc.so.")
+    monkeypatch.setattr(nvrtc, "WHEELS", ("no-such-wheel",))
+    assert nvrtc.wheel_library() is None
 
 
 def test_stops_after_an_exception(tmp_path) -> None:

@@ -8,8 +8,10 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Literal
 
+from raywalk import nvrtc
 from raywalk.client import Client
 from raywalk.errors import RaywalkError
+from raywalk.models import System
 from raywalk.places import daemon_program, data_dir
 from raywalk.techniques import STANDARD
 
@@ -80,6 +82,34 @@ def state() -> Finding:
     return Finding("ok", "state", detail) if space > 1e9 else Finding("warn", "state", detail, "make room")
 
 
+def device_findings(system: System) -> list[Finding]:
+    """The device with its details and memory; without a GPU why, and what to do about it."""
+    device = system.device
+    findings = [Finding("ok", "device", f"{device.name} ({device.kind}), {system.machine.threads} threads")]
+    if device.details:
+        facts = ", ".join(f"{name} {value}" for name, value in sorted(device.details.items()))
+        findings.append(Finding("ok", "device details", facts))
+    if device.memory.total_bytes:
+        total, free, used = (
+            f"{size / 1e9:.1f} GB"
+            for size in (device.memory.total_bytes, device.memory.free_bytes, device.memory.resident_bytes)
+        )
+        findings.append(Finding("ok", "device memory", f"{total}, {free} free, {used} scenes and structures"))
+    if device.no_cuda:
+        findings.append(Finding("warn", "GPU", f"not used: {device.no_cuda}", gpu_advice(device.no_cuda)))
+    return findings
+
+
+def gpu_advice(reason: str) -> str:
+    """What the daemon's reason calls for; nothing for one that no installation mends."""
+    text = reason.lower()
+    if "nvrtc" in text:
+        return nvrtc.ADVICE
+    if "libcuda" in text or "driver" in text:
+        return "for a GPU, install NVIDIA's driver; without one the CPU renders"
+    return ""
+
+
 def server_findings(client: Client) -> list[Finding]:
     """What a running daemon tells."""
     system = client.get_system()
@@ -87,8 +117,7 @@ def server_findings(client: Client) -> list[Finding]:
     findings = [
         Finding("ok", "daemon", f"{client.base_url}, version {machine.version}, commit {machine.git_commit[:12]}")
     ]
-    device = f"{system.device.name} ({system.device.kind}), {machine.threads} threads"
-    findings.append(Finding("ok", "device", device))
+    findings += device_findings(system)
     findings += [Finding("warn", "daemon", warning) for warning in system.warnings]
     if machine.build_type.lower() not in ("release", "relwithdebinfo"):
         findings.append(Finding("warn", "build", f"{machine.build_type}: times mean little", "./run build"))

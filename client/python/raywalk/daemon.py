@@ -1,11 +1,13 @@
 """A daemon of one's own: started on a free port, stopped afterwards."""
 
+import os
 import subprocess
 import tempfile
 import time
 from pathlib import Path
 from typing import Self
 
+from raywalk import nvrtc
 from raywalk.client import Client
 from raywalk.errors import RaywalkError, UnreachableError
 from raywalk.places import daemon_program
@@ -19,7 +21,8 @@ LOG_LINES = 12
 class LocalDaemon:
     """Context manager: runs raywalkd on a free port of the loopback address until the block ends, however it ends.
 
-    Its state is kept in a folder of its own and dropped with it. Throws RaywalkError with the daemon's last words when
+    Its state is kept in a folder of its own and dropped with it. It compiles GPU kernels with the NVRTC of the Python
+    environment, unless RAYWALK_NVRTC names another. Throws RaywalkError with the daemon's last words when
     it does not come up."""
 
     def __init__(self, program: Path | None = None, arguments: tuple[str, ...] = (), log: Path | None = None):
@@ -41,6 +44,7 @@ class LocalDaemon:
             with self._log.open("wb") as log:
                 self._process = subprocess.Popen(
                     [str(program), *flags, *self._arguments, "--die-with-parent"],
+                    env=nvrtc.environment(dict(os.environ)),
                     stdin=subprocess.DEVNULL,
                     stdout=log,
                     stderr=subprocess.STDOUT,

@@ -2,12 +2,13 @@
 
 import signal
 import sys
+from enum import StrEnum
 from typing import Annotated
 
 import typer
 
 from raywalk import __version__
-from raywalk.cli import bench, demo, doctor, render, scenes, structures, tables
+from raywalk.cli import bench, demo, doctor, kernels, render, scenes, structures, tables
 from raywalk.cli.session import CleanGroup, Settings
 
 app = typer.Typer(
@@ -19,6 +20,12 @@ app = typer.Typer(
     help="Ray-tracing structures on one device, measured and checked. Without --server a local daemon is started, "
     "and stopped afterwards.",
 )
+
+
+class Device(StrEnum):
+    AUTO = "auto"
+    CPU = "cpu"
+    CUDA = "cuda"
 
 
 def show_version(wanted: bool) -> None:
@@ -33,12 +40,18 @@ def globals_(
     server: Annotated[
         str | None, typer.Option(envvar="RAYWALK_SERVER", help="Address of a running daemon.", metavar="URL")
     ] = None,
+    device: Annotated[
+        Device | None, typer.Option(help="What the daemon that is started here renders on; auto when absent.")
+    ] = None,
     version: Annotated[
         bool, typer.Option("--version", callback=show_version, is_eager=True, help="Show the version and exit.")
     ] = False,
 ) -> None:
     context.obj = context.obj or Settings()
+    if server and device:
+        raise typer.BadParameter("--device is for a daemon of one's own: the one that --server names has its device")
     context.obj.server = server
+    context.obj.device = device.value if device else None
 
 
 app.add_typer(scenes.app, name="scenes", help="The catalogue of scenes, and the original data.")
@@ -49,6 +62,7 @@ app.command()(bench.bench)
 app.command()(tables.tables)
 app.command()(demo.demo)
 app.command()(doctor.doctor)
+app.command()(kernels.kernels)
 
 
 def main() -> None:

@@ -12,7 +12,7 @@ from raywalk.follow import benchmark, built
 from raywalk.models import BenchmarkSpec, Technique
 from raywalk.progress import bar, job_bar, messages
 from raywalk.showcase import render_walk, sheet_of
-from raywalk.tables import TABLES, terminal, write_tables
+from raywalk.tables import TABLES, tables_of, terminal, write_tables
 from raywalk.tables.files import result_json
 from raywalk.techniques import measured
 
@@ -55,7 +55,7 @@ def demo(
         with job_bar(scene, width * height, console) as progress:
             result = benchmark(client, spec, progress)
         (folder / "results.json").write_text(result_json(result))
-        write_tables(TABLES, [result], folder, "md")
+        write_tables(tables_of([result]), [result], folder, "md")
         count = spec.frames or FRAMES
         with bar("images", count, console) as progress:
             walk = render_walk(
@@ -67,8 +67,8 @@ def demo(
             )
             progress.update(0, None, what="contact sheet")
             sheet_of(client, result, SHOWN_MODE, walk).save(folder / "contact-sheet.png")
-    for table in TABLES.values():
-        results().print(terminal(table([result])))
+    for number in tables_of([result]):
+        results().print(terminal(TABLES[number]([result])))
     console.print(
         f"wrote table1.md, table2.md, results.json, {len(walk)} frames and contact-sheet.png in {folder} "
         f"after {time.monotonic() - start:.0f} s"

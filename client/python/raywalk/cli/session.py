@@ -29,6 +29,7 @@ class Settings:
     """Global options; `transport` replaces the network in tests."""
 
     server: str | None = None
+    device: str | None = None  # of a daemon of one's own; its own choice when absent
     transport: httpx2.BaseTransport | None = None
 
 
@@ -65,7 +66,8 @@ def connected(context: typer.Context) -> Iterator[Client]:
         with Client(settings.server or "http://daemon", transport=settings.transport) as client:
             yield client
     else:
-        with LocalDaemon() as daemon, Client(daemon.base_url, on_lost=daemon.check_alive) as client:
+        arguments = ("--device", settings.device) if settings.device else ()
+        with LocalDaemon(arguments=arguments) as daemon, Client(daemon.base_url, on_lost=daemon.check_alive) as client:
             yield client
 
 
@@ -110,6 +112,24 @@ def technique(text: str) -> tuple[str, str]:
     if not (structure and slash and traversal):
         raise typer.BadParameter(f"{text!r} is no technique like bvh/while-while")
     return structure, traversal
+
+
+def options(given: list[str] | None) -> dict[str, float | str] | None:
+    """name=value pairs; what looks like a number is one."""
+    parsed: dict[str, float | str] = {}
+    for pair in given or []:
+        name, equals, value = pair.partition("=")
+        if not (name and equals):
+            raise typer.BadParameter(f"{pair!r} is no option like bins=32")
+        try:
+            number = float(value)
+        except ValueError:
+            parsed[name] = value
+            continue
+        if not math.isfinite(number):
+            raise typer.BadParameter(f"{pair!r} is not finite")
+        parsed[name] = number
+    return parsed or None
 
 
 def words(text: str) -> list[str]:

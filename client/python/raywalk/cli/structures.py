@@ -5,27 +5,13 @@ from typing import Annotated
 import typer
 from rich.table import Table
 
-from raywalk.cli.session import CleanGroup, connected, print_json, results
+from raywalk.cli.session import CleanGroup, connected, options, print_json, results
 from raywalk.follow import built
 from raywalk.models import Structure
 from raywalk.progress import bar
 
 app = typer.Typer(cls=CleanGroup, no_args_is_help=True)
 Json = Annotated[bool, typer.Option("--json", help="Print JSON.")]
-
-
-def options(given: list[str] | None) -> dict[str, float | str] | None:
-    """name=value pairs; what looks like a number is one."""
-    parsed: dict[str, float | str] = {}
-    for pair in given or []:
-        name, equals, value = pair.partition("=")
-        if not (name and equals):
-            raise typer.BadParameter(f"{pair!r} is no option like bins=32")
-        try:
-            parsed[name] = float(value)
-        except ValueError:
-            parsed[name] = value
-    return parsed or None
 
 
 @app.command("list")

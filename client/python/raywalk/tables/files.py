@@ -7,13 +7,21 @@ from pydantic import ValidationError
 
 from raywalk.errors import RaywalkError
 from raywalk.models import BenchmarkResult
+from raywalk.tables.gpu import on_gpu
 from raywalk.tables.records import csv_text, records1, records2
+from raywalk.tables.records3 import records3
 from raywalk.tables.table import markdown
 from raywalk.tables.table1 import table1
 from raywalk.tables.table2 import table2
+from raywalk.tables.table3 import require_gpu, table3
 
-TABLES = {1: table1, 2: table2}
-RECORDS = {1: records1, 2: records2}
+TABLES = {1: table1, 2: table2, 3: table3}
+RECORDS = {1: records1, 2: records2, 3: records3}
+
+
+def tables_of(results: Sequence[BenchmarkResult]) -> list[int]:
+    """The tables that these results can fill: the third is about GPU kernels."""
+    return [number for number in TABLES if number != 3 or on_gpu(results)]
 
 
 def read_results(paths: Iterable[Path]) -> list[BenchmarkResult]:
@@ -37,7 +45,9 @@ def result_json(result: BenchmarkResult) -> str:
 
 
 def table_text(number: int, results: Sequence[BenchmarkResult], form: str) -> str:
-    """A table as `md` for people or `csv` for programs."""
+    """A table as `md` for people or `csv` for programs. Throws RaywalkError for Table 3 without a GPU."""
+    if number == 3:
+        require_gpu(results)
     return csv_text(RECORDS[number](results)) if form == "csv" else markdown(TABLES[number](results))
 
 

@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 
 from raywalk.models import BenchmarkResult, ResultRow
+from raywalk.tables.gpu import gpu_notes
 from raywalk.tables.paper import PAPER_DEVICE, PAPER_FRAMES, PAPER_SIZE, Paper
 from raywalk.tables.runs import compared_of, differing
 
@@ -41,6 +42,7 @@ def notes(results: Sequence[BenchmarkResult]) -> list[str]:
         said.append("embree/loop-1 and loop-8 are bare loops over one ray and eight: they bound what is possible.")
     if any(row.frame_ms.unstable for result in results for row in result.rows):
         said.append("* unstable: repeats of the same frame spread by more than 3.5 %.")
+    said += gpu_notes(results)
     own = [f"{result.scene.name}: {note}" for result in results for note in notes_of(result)]
     return said + list(dict.fromkeys(own))
 

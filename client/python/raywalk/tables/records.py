@@ -5,7 +5,9 @@ import io
 from collections.abc import Sequence
 from typing import Any
 
+from raywalk.kernel_options import asked, options_text
 from raywalk.models import BenchmarkResult, ResultRow
+from raywalk.tables.gpu import telemetry_text
 from raywalk.tables.machine import command_of
 from raywalk.tables.notes2 import BASE, technique
 from raywalk.tables.paper import PAPER_DEVICE, PAPER_FRAMES, PAPER_SIZE, Paper
@@ -75,8 +77,20 @@ def time_record(result: BenchmarkResult, row: ResultRow) -> Record:
         | {"ids_upper95_ppm": error.id_mismatch_ppm_upper95}
         | {"image_rmse": None if row.mode == "trace" else error.image_rmse}
         | {f"{PAPER_PREFIX}_frame_ms": theirs, f"{PAPER_PREFIX}_percent": share(theirs, their_base)}
+        | {"kernel_options": options_text(asked(result.spec, row))}
+        | throughput_record(row)
+        | {"telemetry": telemetry_text(result) if result.telemetry else None}
         | origin_of(result)
     )
+
+
+def throughput_record(row: ResultRow) -> Record:
+    seen = row.throughput
+    return {
+        "launch_frames": seen and seen.frames_per_launch,
+        "launch_frame_mean_ms": seen and seen.frame_ms.mean,
+        "launch_mrays_per_s": seen and seen.mrays_per_s,
+    }
 
 
 def key_of(result: BenchmarkResult) -> Record:
@@ -91,7 +105,7 @@ def origin_of(result: BenchmarkResult) -> Record:
     return origin | {
         "git_commit": machine.git_commit,
         "created_at": result.created_at,
-        "command": command_of(result.spec),
+        "command": command_of(result),
     }
 
 

@@ -12,13 +12,14 @@ NONE = "—"
 
 @dataclass(frozen=True)
 class Column:
-    """`group` is the heading that neighbours share; `digits` is how numbers are rounded (None: as they are)."""
+    """`group` is the heading that neighbours share; `digits` is how numbers are rounded (None: as they are); an
+    `optional` column is dropped where no row fills it."""
 
     name: str
     group: str = ""
     digits: int | None = None
     left: bool = False
-    bar: bool = False  # a rule before it on the terminal
+    optional: bool = False
 
     @property
     def title(self) -> str:
@@ -43,6 +44,16 @@ class Table:
     notes: list[str] = field(default_factory=list)
     sections: set[int] = field(default_factory=set)  # rows that a rule precedes on the terminal
     best: set[int] = field(default_factory=set)  # rows set off as the best of their group
+
+    def drop_empty(self) -> None:
+        """Drops the optional columns without a cell."""
+        kept = [
+            number
+            for number, column in enumerate(self.columns)
+            if not column.optional or any(row[number] is not None for row in self.rows)
+        ]
+        self.columns = [self.columns[number] for number in kept]
+        self.rows = [[row[number] for number in kept] for row in self.rows]
 
 
 def markdown(table: Table) -> str:
@@ -74,6 +85,6 @@ def terminal(table: Table) -> RichTable:
     for number, row in enumerate(table.rows):
         if number in table.sections:
             shown.add_section()
-        cells = [column.show(cell) for column, cell in zip(table.columns, row, strict=True)]
+        cells = [escape(column.show(cell)) for column, cell in zip(table.columns, row, strict=True)]
         shown.add_row(*cells, style="bold green" if number in table.best else None)
     return shown

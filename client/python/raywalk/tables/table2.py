@@ -1,32 +1,41 @@
 """Table 2 of the study: time per frame of every technique and mode, beside the paper's, each with its error."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
+from raywalk.kernel_options import label as name_of
 from raywalk.models import BenchmarkResult, ResultRow
+from raywalk.tables.gpu import faster_cell, on_gpu, throughput_cells, throughput_columns
 from raywalk.tables.machine import machine_line
 from raywalk.tables.notes2 import BASE, MODES, is_bound, notes, technique
 from raywalk.tables.paper import PAPER_DEVICE, Paper
 from raywalk.tables.runs import differing, run_cells, run_columns, size_of
 from raywalk.tables.table import Cell, Column, Table
 
-COLUMNS = [
+SINGLE = [
     Column("mode", left=True),
     Column("technique", left=True),
     Column("ms", "frame", 2),
     Column("%", "frame"),
     Column("Mrays/s", "", 2),
-    Column("ids ppm", "error"),
-    Column("95 % ≤", "error", 1),
-    Column("RMSE", "error"),
-    Column("ms", PAPER_DEVICE, 1),
-    Column("%", PAPER_DEVICE),
 ]
+ERRORS = [Column("ids ppm", "error"), Column("95 % ≤", "error", 1), Column("RMSE", "error")]
+PAPERS = [Column("ms", PAPER_DEVICE, 1), Column("%", PAPER_DEVICE)]
+FASTER = Column("faster", PAPER_DEVICE, optional=True)
+GPU_DIGITS = 3  # of a time on a GPU, which is far below a millisecond
+
+
+def columns(results: Sequence[BenchmarkResult]) -> list[Column]:
+    """All; those that nobody fills are dropped in the end."""
+    gpu = on_gpu(results)
+    single = [replace(column, digits=GPU_DIGITS) if gpu and column.name == "ms" else column for column in SINGLE]
+    return [*single, *throughput_columns(results), *ERRORS, *PAPERS, FASTER]
 
 
 def table2(results: Sequence[BenchmarkResult]) -> Table:
     facts = differing(results)
     title = "Table 2: mean time of a frame" + ("" if "size" in facts else f", {size_of(results[0])}")
-    table = Table(title, machine_line(results), [Column("scene", left=True), *run_columns(facts), *COLUMNS])
+    table = Table(title, machine_line(results), [Column("scene", left=True), *run_columns(facts), *columns(results)])
     for result in results:
         label: list[Cell] = [f"{result.scene.name} ({result.scene.fidelity})", *run_cells(result, facts)]
         for mode in MODES:
@@ -35,6 +44,7 @@ def table2(results: Sequence[BenchmarkResult]) -> Table:
                 table.sections.add(len(table.rows))
                 add_mode(table, result, label, mode, rows)
                 label = [""] * len(label)
+    table.drop_empty()
     table.notes = notes(results)
     return table
 
@@ -46,10 +56,11 @@ def add_mode(table: Table, result: BenchmarkResult, label: list[Cell], mode: str
     for number, row in enumerate(rows):
         if row is best:
             table.best.add(len(table.rows))
-        name = technique(row) + (" *" if row.frame_ms.unstable else "")
+        name = name_of(result.spec, row) + (" *" if row.frame_ms.unstable else "")
         cells = [*label, mode, name] if number == 0 else [*[""] * len(label), "", name]
         cells += [row.frame_ms.mean, percent(row.frame_ms.mean, base), row.mrays_per_s]
-        cells += error_cells(row) + paper_cells(paper, mode, technique(row))
+        cells += throughput_cells(row) + error_cells(row)
+        cells += [*paper_cells(paper, mode, technique(row)), faster_cell(result, row)]
         table.rows.append(cells)
 
 
