@@ -1,0 +1,76 @@
+// What options of a traversal's kernel mean for the compiler, and that they are kept in range.
+#include "server/device/cuda/kernel_options.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace raywalk::cuda {
+namespace {
+
+std::vector<std::string> names_of(const TraversalType& type) {
+  std::vector<std::string> names;
+  for (const Option& option : kernel_options(type)) names.emplace_back(option.name);
+  return names;
+}
+
+TEST(KernelOptions, EachTraversalHasThoseThatMeanSomethingToIt) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names_of(traversal_type("bvh", "while-while")), (Names{"registers", "block", "intersector"}));
+  EXPECT_EQ(names_of(traversal_type("bvh", "packet")), (Names{"registers", "intersector"}));
+  EXPECT_EQ(names_of(traversal_type("kdtree", "short-stack-2")),
+            (Names{"registers", "block", "stack_entries", "intersector"}));
+  EXPECT_THROW(traversal_type("bvh", "dda"), std::invalid_argument);
+}
+
+TEST(KernelOptions, DefaultsAreAKernelThatCanRun) {
+  for (const TraversalType& type : traversal_types()) {
+    const KernelSpec spec = kernel_spec(type, {}, Program::frame, Mode::whitted, kAllFeatures);
+    EXPECT_EQ(spec.traversal, type.type);
+    EXPECT_EQ(spec.block % 32, 0u) << type.type;
+    EXPECT_GE(spec.block, type.group);
+    EXPECT_EQ(spec.features, kAllFeatures);
+    EXPECT_EQ(spec.stack_entries, 4u);
+  }
+}
+
+TEST(KernelOptions, ValuesReachTheKernel) {
+  const TraversalType& type = traversal_type("kdtree", "short-stack-3");
+  const OptionValues given{{"registers", 48}, {"block", 256}, {"stack_entries", 9}, {"intersector", 0}};
+  const KernelSpec spec = kernel_spec(type, given, Program::trace, Mode::shadow, kAllFeatures);
+  EXPECT_EQ(spec.registers, 48u);
+  EXPECT_EQ(spec.block, 256u);
+  EXPECT_EQ(spec.stack_entries, 9u);
+  EXPECT_EQ(spec.intersector, "Watertight");
+}
+
+TEST(KernelOptions, ValuesOutOfRangeAreRefused) {
+  const TraversalType& single = traversal_type("bvh", "while-while");
+  const auto refused = [&](const TraversalType& type, const OptionValues& given) {
+    EXPECT_THROW(kernel_spec(type, given, Program::frame, Mode::primary, 0), std::invalid_argument);
+  };
+  refused(single, {{"registers", 256}});
+  refused(single, {{"registers", 40.5}});
+  refused(single, {{"block", 0}});
+  refused(single, {{"block", 100}});
+  refused(single, {{"block", 544}});
+  refused(single, {{"stack_entries", 4}});
+  refused(single, {{"intersector", 99}});
+  refused(traversal_type("bvh", "packet"), {{"block", 64}});
+  refused(traversal_type("kdtree", "short-stack-2"), {{"stack_entries", 17}});
+}
+
+TEST(KernelOptions, FeaturesThatCannotMatterShareAKernel) {
+  const TraversalType& type = traversal_type("grid", "dda");
+  const auto spec = [&](Program program, Mode mode, u32 features) {
+    return kernel_spec(type, {}, program, mode, features);
+  };
+  const u32 mirror = kFeatureSpecular | kFeatureReflection, plain = kFeatureSpecular;
+  EXPECT_EQ(spec(Program::frame, Mode::shadow, mirror), spec(Program::frame, Mode::shadow, plain));
+  EXPECT_NE(spec(Program::frame, Mode::whitted, mirror), spec(Program::frame, Mode::whitted, plain));
+  EXPECT_NE(spec(Program::frame, Mode::primary, mirror), spec(Program::frame, Mode::shadow, mirror));
+  EXPECT_EQ(spec(Program::trace, Mode::primary, 0), spec(Program::trace, Mode::whitted, kAllFeatures));
+}
+
+}  // namespace
+}  // namespace raywalk::cuda
