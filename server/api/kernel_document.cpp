@@ -35,11 +35,12 @@ const char* wire_name(Mode mode) {
 std::string kernel_document(const std::string& nvrtc_version, const std::vector<cuda::ListedKernel>& kernels) {
   Json rows = Json::array();
   for (const auto& [architecture, spec, report] : kernels) {
+    const Json mode = spec.program == cuda::Program::trace ? Json() : Json(wire_name(spec.mode));  // rays have none
     rows.push_back({{"architecture", architecture},
                     {"program", cuda::name_of(spec.program)},
                     {"traversal", wire_name(spec.traversal)},
                     {"intersector", spec.intersector},
-                    {"mode", wire_name(spec.mode)},
+                    {"mode", mode},
                     {"features", spec.features},
                     {"block", spec.block},
                     {"registers_cap", spec.registers},

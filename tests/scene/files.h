@@ -1,44 +1,18 @@
-// Test files in a folder of their own, removed afterwards.
+// Where the scenes are, and the bytes of test files.
 #pragma once
-#include <unistd.h>
-
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "kernels/platform.h"
+#include "tests/support/folder.h"
 
 namespace raywalk::test {
 
 inline std::filesystem::path scenes_dir() {
   return RAYWALK_SCENES_DIR;
 }
-
-class Folder {
- public:
-  Folder() {
-    static int count = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("raywalk-scene-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path write(const std::string& name, const std::string& content) const {
-    const std::filesystem::path file = path_ / name;
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << content;
-    return file;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Appends numbers as bytes of either order.
 class Bytes {

@@ -19,7 +19,7 @@ std::vector<std::string> options_of(const KernelSpec& spec, const std::string& a
   const auto number = [](const char* name, u32 value) {
     return "-D" + std::string(name) + '=' + std::to_string(value);
   };
-  std::vector<std::string> options = {
+  return {
       "-default-device",
       "-std=c++20",
       "--fmad=false",
@@ -34,9 +34,8 @@ std::vector<std::string> options_of(const KernelSpec& spec, const std::string& a
       number("RW_MODE", static_cast<u32>(spec.mode)) + 'u',
       number("RW_BLOCK", spec.block) + 'u',
       number("RW_STACK_ENTRIES", spec.stack_entries) + 'u',
+      number("RW_REGISTERS", spec.registers),
   };
-  if (spec.registers > 0) options.push_back("--maxrregcount=" + std::to_string(spec.registers));
-  return options;
 }
 
 /// The source of one program with all headers.

@@ -11,7 +11,7 @@ std::string version_text(int version) {
 }
 
 Found<DriverApi> open_driver() {
-  const Found<Library> library = Library::open(named_or("RAYWALK_LIBCUDA", {"libcuda.so.1"}));
+  const Found<Library> library = Library::open(named_or("RAYWALK_LIBCUDA", "libcuda.so.1"));
   if (!library) return {nullptr, "There is no NVIDIA driver. " + library.why_not};
 
   const auto api = std::make_shared<DriverApi>();

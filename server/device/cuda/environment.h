@@ -12,10 +12,10 @@ inline std::string environment(const char* name) {
   return value != nullptr ? value : "";
 }
 
-/// What the variable names, and nothing else, or `usual` when it is not set.
-inline std::vector<std::string> named_or(const char* variable, std::vector<std::string> usual) {
+/// What the variable names, or `usual` when it is not set.
+inline std::vector<std::string> named_or(const char* variable, const std::string& usual) {
   const std::string path = environment(variable);
-  return path.empty() ? usual : std::vector<std::string>{path};
+  return {path.empty() ? usual : path};
 }
 
 }  // namespace raywalk::cuda

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "server/device/cuda/kernel_options.h"
 #include "server/device/cuda/nvrtc_api.h"
 #include "server/device/cuda/traversal_types.h"
 
@@ -53,20 +54,13 @@ void in_parallel(size_t count, const Work& work) {
 std::vector<KernelSpec> representative_kernels() {
   std::vector<KernelSpec> specs;
   for (const TraversalType& type : traversal_types()) {
-    KernelSpec spec{.traversal = std::string(type.type), .block = type.default_block()};
     for (const Mode mode : {Mode::primary, Mode::shadow, Mode::whitted}) {
       for (const u32 features : {0u, kAllFeatures}) {
-        spec.mode = mode;
-        spec.features = features;
-        specs.push_back(spec);
+        specs.push_back(kernel_spec(type, {}, Program::frame, mode, features));
       }
     }
-    spec.program = Program::count;  // of everything
-    specs.push_back(spec);
-    spec.program = Program::trace;  // which has neither mode nor features
-    spec.mode = Mode::primary;
-    spec.features = 0;
-    specs.push_back(spec);
+    specs.push_back(kernel_spec(type, {}, Program::trace, Mode::primary, 0));
+    specs.push_back(kernel_spec(type, {}, Program::count, Mode::whitted, kAllFeatures));
   }
   return specs;
 }

@@ -8,7 +8,8 @@
 
 namespace raywalk::cuda {
 
-/// Every traversal with every program and mode, with the fewest and with all features.
+/// Every traversal with every program and mode, with the fewest and with all features, as requests without options run
+/// them.
 std::vector<KernelSpec> representative_kernels();
 
 struct ListedKernel {

@@ -6,7 +6,7 @@
 namespace raywalk::cuda {
 
 Found<NvmlApi> open_nvml() {
-  const Found<Library> library = Library::open(named_or("RAYWALK_LIBNVML", {"libnvidia-ml.so.1"}));
+  const Found<Library> library = Library::open(named_or("RAYWALK_LIBNVML", "libnvidia-ml.so.1"));
   if (!library) return {nullptr, "There is no NVML. " + library.why_not};
 
   auto api = std::make_unique<NvmlApi>();

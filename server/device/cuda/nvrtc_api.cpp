@@ -38,19 +38,6 @@ void add_python_environment(const fs::path& environment, std::vector<std::string
 /// The program may lie in build/release/server of a source tree.
 constexpr int kFoldersAbove = 4;
 
-std::vector<std::string> usual_places() {
-  std::vector<std::string> names = {"libnvrtc.so.13", "libnvrtc.so.12"};
-  for (const fs::path& toolkit : entries("/usr/local", "cuda")) add_libraries(toolkit / "lib64", names);
-  if (const std::string active = environment("VIRTUAL_ENV"); !active.empty()) add_python_environment(active, names);
-  std::error_code error;
-  fs::path folder = fs::read_symlink("/proc/self/exe", error);
-  for (int i = 0; i < kFoldersAbove && folder.has_relative_path(); ++i) {
-    folder = folder.parent_path();
-    add_python_environment(folder / ".venv", names);
-  }
-  return names;
-}
-
 /// NVRTC opens its built-in functions by name when it compiles: opened from beside it before, they are found.
 std::shared_ptr<const Library> open_builtins(const NvrtcApi& nvrtc) {
   const fs::path path = nvrtc.library->path();
@@ -73,8 +60,22 @@ std::vector<std::string> NvrtcApi::architectures() const {
   return names;
 }
 
+std::vector<std::string> nvrtc_places() {
+  if (std::string named = environment("RAYWALK_NVRTC"); !named.empty()) return {std::move(named)};
+  std::vector<std::string> names = {"libnvrtc.so.13", "libnvrtc.so.12"};
+  for (const fs::path& toolkit : entries("/usr/local", "cuda")) add_libraries(toolkit / "lib64", names);
+  if (const std::string active = environment("VIRTUAL_ENV"); !active.empty()) add_python_environment(active, names);
+  std::error_code error;
+  fs::path folder = fs::read_symlink("/proc/self/exe", error);
+  for (int i = 0; i < kFoldersAbove && folder.has_relative_path(); ++i) {
+    folder = folder.parent_path();
+    add_python_environment(folder / ".venv", names);
+  }
+  return names;
+}
+
 Found<NvrtcApi> open_nvrtc() {
-  const Found<Library> library = Library::open(named_or("RAYWALK_NVRTC", usual_places()));
+  const Found<Library> library = Library::open(nvrtc_places());
   if (!library) return {nullptr, "There is no kernel compiler (NVRTC). " + library.why_not};
 
   const auto api = std::make_shared<NvrtcApi>();

@@ -48,9 +48,11 @@ struct NvrtcApi {
   std::vector<std::string> architectures() const;
 };
 
-/// Opens the library that the environment variable RAYWALK_NVRTC names, else the first that is found by the loader, in
-/// the usual folders of CUDA toolkits, and in a Python environment: $VIRTUAL_ENV, or .venv beside the program or above
-/// it.
+/// Where open_nvrtc looks, in that order: the library that the environment variable RAYWALK_NVRTC names and nothing
+/// else, or what the loader finds, the usual folders of CUDA toolkits, and a Python environment: $VIRTUAL_ENV, or .venv
+/// beside the program or above it.
+std::vector<std::string> nvrtc_places();
+
 Found<NvrtcApi> open_nvrtc();
 
 }  // namespace raywalk::cuda

@@ -12,9 +12,6 @@ struct TraversalType {
   std::string_view type;  // KernelSpec::traversal, such as "BvhWhileWhile"
   std::string_view structure, traversal, help;
   u32 group = 1;  // rays that run together
-
-  /// Threads a block when nothing else is asked for: a group is a block.
-  u32 default_block() const { return group > 1 ? group : 128; }
 };
 
 /// In the order of RW_TRAVERSALS.
