@@ -6,38 +6,43 @@
 
 namespace raywalk::grid::dda {
 
-/// One axis of the walk.
+/// One axis of the walk. Numbers of borders are whole floats.
 struct Walk {
-  i32 cell;
-  i32 step;    // -1 or +1
-  i32 stride;  // of the cell number
-  i32 left;    // steps until the ray leaves the grid
+  float ahead;        // number of the border ahead
+  float end;          // number of the border where the ray leaves the grid
+  float step;         // -1 or +1
+  float size, start;  // of a cell; position of border 0 in the frame
+  float origin, inverse;
+  u32 stride;  // of the cell number, modulo 2^32
   float next;  // distance to the border ahead
 
-  RW_FN void look_ahead(const Header& grid, const LocalRay& ray, u32 axis) {
-    next = (grid.border(axis, cell + (step > 0 ? 1 : 0)) - ray.o[axis]) * ray.inverse[axis];
+  RW_FN i32 begin(const Header& grid, const LocalRay& ray, u32 axis, u32 cell_stride) {
+    const i32 cell = grid.cell_of(axis, ray.o[axis]);
+    const bool up = ray.d[axis] > 0.0f;
+    ahead = static_cast<float>(up ? cell + 1 : cell);
+    end = up ? static_cast<float>(grid.resolution[axis]) : 0.0f;
+    step = up ? 1.0f : -1.0f;
+    size = grid.cell[axis];
+    start = -grid.frame.half[axis];
+    origin = ray.o[axis];
+    inverse = ray.inverse[axis];
+    stride = up ? cell_stride : 0u - cell_stride;
+    look_ahead();
+    return cell;
   }
-  RW_FN void start(const Header& grid, const LocalRay& ray, u32 axis, i32 cell_stride) {
-    cell = grid.cell_of(axis, ray.o[axis]);
-    step = ray.d[axis] > 0.0f ? 1 : -1;
-    stride = step * cell_stride;
-    left = step > 0 ? static_cast<i32>(grid.resolution[axis]) - 1 - cell : cell;
-    look_ahead(grid, ray, axis);
-  }
-  /// False when the ray leaves the grid.
-  RW_FN bool advance(const Header& grid, const LocalRay& ray, u32 axis, u32& number) {
-    if (left-- == 0) return false;
-    cell += step;
-    number += static_cast<u32>(stride);
-    look_ahead(grid, ray, axis);
-    return true;
+  RW_FN void look_ahead() { next = (fma(ahead, size, start) - origin) * inverse; }
+  /// Whether the border ahead is the grid's own.
+  RW_FN bool last() const { return ahead == end; }
+  RW_FN void advance(bool taken) {
+    ahead = ahead + (taken ? step : 0.0f);
+    look_ahead();
   }
 };
 
 /// The ray is valid.
 template <class Query, class Counter>
 RW_FN void traverse(const u8* blob, SceneView scene, const Ray& ray, Query& query, Counter& counter) {
-  const Header grid = header_of<Header>(blob);  // a copy stays in registers
+  const Header& grid = header_of<Header>(blob);
   LocalRay local;
   if (!enter(grid.frame, ray, local)) return;
   if (local.wide()) return traverse_wide(blob, scene, local, query, counter);
@@ -46,10 +51,10 @@ RW_FN void traverse(const u8* blob, SceneView scene, const Ray& ray, Query& quer
   const u32* references = data_of(blob, grid.references);
   const Corners* corners = scene.corners();
   Walk x, y, z;
-  x.start(grid, local, 0, 1);
-  y.start(grid, local, 1, static_cast<i32>(grid.resolution[0]));
-  z.start(grid, local, 2, static_cast<i32>(grid.resolution[0] * grid.resolution[1]));
-  u32 number = grid.number(x.cell, y.cell, z.cell);
+  const i32 cell_x = x.begin(grid, local, 0, 1);
+  const i32 cell_y = y.begin(grid, local, 1, grid.resolution[0]);
+  const i32 cell_z = z.begin(grid, local, 2, grid.resolution[0] * grid.resolution[1]);
+  u32 number = grid.number(cell_x, cell_y, cell_z);
   float limit = smaller(local.limit(query.tmax()), local.exit);
   while (true) {
     counter.step();
@@ -58,18 +63,16 @@ RW_FN void traverse(const u8* blob, SceneView scene, const Ray& ray, Query& quer
       if (test_cell(references, begin, end, corners, query, counter)) return;
       limit = smaller(local.limit(query.tmax()), local.exit);
     }
-    bool inside;
-    if (x.next <= y.next && x.next <= z.next) {
-      if (limit < x.next) return;
-      inside = x.advance(grid, local, 0, number);
-    } else if (y.next <= z.next) {
-      if (limit < y.next) return;
-      inside = y.advance(grid, local, 1, number);
-    } else {
-      if (limit < z.next) return;
-      inside = z.advance(grid, local, 2, number);
-    }
-    if (!inside) return;
+    // Without a branch on the axis: neighbouring rays take different ones.
+    const bool take_x = x.next <= y.next && x.next <= z.next;
+    const bool take_y = !take_x && y.next <= z.next;
+    const bool take_z = !take_x && !take_y;
+    if (limit < smaller(smaller(x.next, y.next), z.next)) return;
+    if ((take_x && x.last()) || (take_y && y.last()) || (take_z && z.last())) return;
+    number += take_x ? x.stride : take_y ? y.stride : z.stride;
+    x.advance(take_x);
+    y.advance(take_y);
+    z.advance(take_z);
   }
 }
 
