@@ -4,18 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 
-#include "server/device/device.h"
 #include "server/scene/importer.h"
-#include "tests/support/rooms.h"
+#include "tests/support/frame_jobs.h"
+#include "tests/support/small_scenes.h"
 
 namespace raywalk {
 namespace {
 
-using SceneBlob = std::shared_ptr<const Blob>;
+using test::bunny_file;
+using test::NamedScene;
+using test::rays_for;
+using test::room_job;
+using test::SceneBlob;
+using test::small_scenes;
 
 struct Technique {
   std::string kind, traversal;
@@ -39,45 +43,6 @@ class CpuDevice : public testing::Test {
     return device().closest({device().build(scene, technique.kind, {}), technique.traversal, rays});
   }
 };
-
-struct NamedScene {
-  std::string name;
-  SceneBlob scene;
-};
-
-std::vector<NamedScene> small_scenes() {
-  const auto blob = [](test::Mesh mesh) { return std::make_shared<const Blob>(test::make_scene(std::move(mesh))); };
-  test::Mesh broken = test::icosphere(1);
-  broken[3].b.y = std::numeric_limits<float>::quiet_NaN();
-  broken[7].a.x = std::numeric_limits<float>::infinity();
-  test::Mesh twice = test::icosphere(1);
-  test::append(twice, test::icosphere(1));
-  return {{"empty", blob({})},
-          {"one triangle", blob({test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0})})},
-          {"soup", blob(test::random_soup(1, 600))},
-          {"sphere", blob(test::icosphere(3))},
-          {"box", blob(test::subdivided_box(6))},
-          {"quad", blob(test::quad_grid(8))},
-          {"slivers", blob(test::slivers(2, 300))},
-          {"duplicates", blob(std::move(twice))},
-          {"non-finite vertices", blob(std::move(broken))},
-          {"small and far", blob(test::transformed(test::icosphere(2), 1e-3f, {100, -50, 25}))},
-          {"room", std::make_shared<const Blob>(test::room({}))}};
-}
-
-std::vector<Ray> rays_for(const SceneBlob& scene) {
-  const SceneView view{scene->data()};
-  test::Mesh mesh;
-  for (u32 i = 0; i < view.triangle_count(); ++i)
-    if (is_finite(view.corners()[i])) mesh.push_back(view.corners()[i]);
-  const Box bounds = mesh.empty() ? Box{{-1, -1, -1}, {1, 1, 1}} : test::bounds_of(mesh);
-  std::vector<Ray> rays = test::random_rays(5, 700, bounds);
-  if (mesh.empty()) return rays;
-  for (const std::vector<Ray>& more :
-       {test::edge_rays(6, 400, mesh), test::vertex_rays(7, 400, mesh), test::axis_rays(8, 400, mesh)})
-    rays.insert(rays.end(), more.begin(), more.end());
-  return rays;
-}
 
 TEST_F(CpuDevice, EveryTraversalHitsAsBruteForceDoes) {
   for (const NamedScene& named : small_scenes()) {
@@ -121,18 +86,6 @@ TEST_F(CpuDevice, EmbreeAgreesWhereARayIsNotAtAnEdge) {
                                   << " and " << b.t;
     }
   }
-}
-
-FrameJob room_job(const std::shared_ptr<const Structure>& structure, const std::string& traversal, Mode mode) {
-  FrameJob job;
-  job.structure = structure;
-  job.traversal = traversal;
-  job.camera = {{0.1f, 0.2f, 1.8f}, {0.0f, -0.4f, 0.0f}, {0, 1, 0}, 70};
-  job.width = 83;  // not a multiple of the block
-  job.height = 45;
-  job.mode = mode;
-  job.depth = 3;
-  return job;
 }
 
 TEST_F(CpuDevice, EveryTraversalRendersTheSameFrame) {
@@ -261,11 +214,6 @@ TEST_F(CpuDevice, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(device().render(blind, frame), std::invalid_argument);
 }
 
-std::filesystem::path bunny_file() {
-  const char* data = std::getenv("RAYWALK_SCENE_DATA");
-  return std::filesystem::path(data ? data : "scenes/data") / "bunny" / "bun_zipper.ply";
-}
-
 TEST_F(CpuDevice, GridOfTheBunnyHasTheStudysReferences) {
   const std::filesystem::path file = bunny_file();
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original bunny is not at " << file;
@@ -287,9 +235,7 @@ TEST_F(CpuDevice, AllStructuresSeeTheSameBunny) {
   PrimaryHits expected;
   for (const Technique& technique : techniques(false)) {
     if (technique.kind == "embree") continue;
-    FrameJob job = room_job(device().build(scene, technique.kind, {}), technique.traversal, Mode::primary);
-    job.width = job.height = 512;
-    job.camera = {bounds.centre() + Vec3{0.05f, 0.06f, 0.22f}, bounds.centre(), {0, 1, 0}, 45};
+    const FrameJob job = test::bunny_job(bounds, device().build(scene, technique.kind, {}), technique.traversal);
     PrimaryHits hits;
     device().trace_primary(job, hits);
     if (expected.hits.empty()) expected = hits;
