@@ -8,7 +8,7 @@
 
 namespace raywalk {
 
-int compile_kernels(const std::vector<std::string>& architectures) {
+int compile_kernels(const std::vector<std::string>& architectures, const std::filesystem::path& cache_dir) {
   const auto fail = [](int code, const std::string& sentence) {
     std::fprintf(stderr, "raywalkd: %s\n", sentence.c_str());
     return code;
@@ -17,7 +17,7 @@ int compile_kernels(const std::vector<std::string>& architectures) {
   if (!nvrtc) return fail(3, nvrtc.why_not);
   try {
     const std::string text =
-        api::kernel_document(nvrtc.value->version(), cuda::list_kernels(nvrtc.value, architectures));
+        api::kernel_document(nvrtc.value->version(), cuda::list_kernels(nvrtc.value, architectures, cache_dir));
     std::printf("%s\n", text.c_str());
     return 0;
   } catch (const cuda::UnknownArchitecture& e) {

@@ -66,12 +66,13 @@ std::vector<KernelSpec> representative_kernels() {
 }
 
 std::vector<ListedKernel> list_kernels(const std::shared_ptr<const NvrtcApi>& nvrtc,
-                                       const std::vector<std::string>& architectures) {
+                                       const std::vector<std::string>& architectures,
+                                       const std::filesystem::path& cache_dir) {
   check_architectures(*nvrtc, architectures);
   const std::vector<KernelSpec> specs = representative_kernels();
   std::vector<std::vector<EntryReport>> reports(architectures.size() * specs.size());
   in_parallel(reports.size(), [&](size_t i) {
-    const Compiler compiler(nvrtc, architectures[i / specs.size()], {});
+    const Compiler compiler(nvrtc, architectures[i / specs.size()], cache_dir);
     reports[i] = compiler.compile(specs[i % specs.size()]).entries;
   });
 

@@ -1,5 +1,6 @@
 // All kernels that matter, compiled without a device: what the assembler says of each.
 #pragma once
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,8 +26,10 @@ class UnknownArchitecture : public std::invalid_argument {
 };
 
 /// Compiles all representative kernels for each architecture, on all processors. In the order of `architectures`,
-/// then of `representative_kernels`, then of the entry points. Throws UnknownArchitecture and CompileError.
+/// then of `representative_kernels`, then of the entry points. What `cache_dir` has is not compiled again. Throws
+/// UnknownArchitecture and CompileError.
 std::vector<ListedKernel> list_kernels(const std::shared_ptr<const NvrtcApi>& nvrtc,
-                                       const std::vector<std::string>& architectures);
+                                       const std::vector<std::string>& architectures,
+                                       const std::filesystem::path& cache_dir = {});
 
 }  // namespace raywalk::cuda
