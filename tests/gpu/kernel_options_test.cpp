@@ -17,7 +17,7 @@ std::vector<std::string> names_of(const TraversalType& type) {
 TEST(KernelOptions, EachTraversalHasThoseThatMeanSomethingToIt) {
   using Names = std::vector<std::string>;
   EXPECT_EQ(names_of(traversal_type("bvh", "while-while")), (Names{"registers", "block", "intersector"}));
-  EXPECT_EQ(names_of(traversal_type("bvh", "packet")), (Names{"registers", "intersector"}));
+  EXPECT_EQ(names_of(traversal_type("bvh", "packet")), (Names{"registers", "block", "intersector"}));
   EXPECT_EQ(names_of(traversal_type("kdtree", "short-stack-2")),
             (Names{"registers", "block", "stack_entries", "intersector"}));
   EXPECT_THROW(traversal_type("bvh", "dda"), std::invalid_argument);
@@ -28,10 +28,16 @@ TEST(KernelOptions, DefaultsAreAKernelThatCanRun) {
     const KernelSpec spec = kernel_spec(type, {}, Program::frame, Mode::whitted, kAllFeatures);
     EXPECT_EQ(spec.traversal, type.type);
     EXPECT_EQ(spec.block % 32, 0u) << type.type;
-    EXPECT_GE(spec.block, type.group);
+    EXPECT_EQ(spec.block % type.group, 0u) << type.type;
     EXPECT_EQ(spec.features, kAllFeatures);
     EXPECT_EQ(spec.stack_entries, 4u);
   }
+}
+
+TEST(KernelOptions, AGroupLargerThanAWarpIsTheBlock) {
+  const TraversalType group{"BvhPacket", "bvh", "packet", "64 rays together", 64};
+  EXPECT_EQ(names_of(group), (std::vector<std::string>{"registers", "intersector"}));
+  EXPECT_EQ(kernel_spec(group, {}, Program::frame, Mode::primary, 0).block, 64u);
 }
 
 TEST(KernelOptions, ValuesReachTheKernel) {
@@ -56,7 +62,7 @@ TEST(KernelOptions, ValuesOutOfRangeAreRefused) {
   refused(single, {{"block", 544}});
   refused(single, {{"stack_entries", 4}});
   refused(single, {{"intersector", 99}});
-  refused(traversal_type("bvh", "packet"), {{"block", 64}});
+  refused(traversal_type("bvh", "packet"), {{"block", 16}});
   refused(traversal_type("kdtree", "short-stack-2"), {{"stack_entries", 17}});
 }
 

@@ -55,7 +55,7 @@ std::vector<Option> kernel_options(const TraversalType& type) {
                                   .default_value = static_cast<double>(tuning.registers),
                                   .max = 255,
                                   .integer = true}};
-  if (type.group == 1) {
+  if (type.group <= kWarp) {
     options.push_back({.name = "block",
                        .help = "threads a block, a multiple of 32",
                        .default_value = static_cast<double>(tuning.block),
