@@ -66,6 +66,8 @@ def unit_of(path: str) -> str | None:
         return "top" if name not in KERNEL_UNITS and KERNEL_TOP.fullmatch(name) else KERNEL_UNITS.get(name, "math")
     if path in ACCEL_TABLES:
         return "accel-tables"
+    if parts[1] == "gpu":
+        return "top"  # entry points
     if parts[1] == "accel":
         return f"accel/{parts[2]}" if len(parts) > 3 else "accel"
     return parts[1] if parts[1] in ("triangle", "shade") else None
