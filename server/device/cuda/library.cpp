@@ -5,15 +5,15 @@
 
 namespace raywalk::cuda {
 
-Found<Library> Library::open(std::span<const std::string> names) {
+Found<Library> Library::open(std::span<const std::string> names, Unload unload) {
+  const int flags = RTLD_NOW | RTLD_LOCAL | (unload == Unload::never ? RTLD_NODELETE : 0);
   std::string tried;
   for (const std::string& name : names) {
-    if (void* handle = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+    if (void* handle = dlopen(name.c_str(), flags)) {
       return {std::shared_ptr<const Library>(new Library(handle, name)), {}};
     }
-    const char* reason = dlerror();
-    if (!tried.empty()) tried += "; ";
-    tried += name + " (" + (reason != nullptr ? reason : "no reason given") + ")";
+    const char* reason = dlerror();  // begins with the name
+    tried += (tried.empty() ? "" : "; ") + (reason != nullptr ? std::string(reason) : name);
   }
   return {nullptr, tried.empty() ? "There is no library to open." : "None of these can be opened: " + tried + "."};
 }

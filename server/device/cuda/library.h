@@ -17,8 +17,11 @@ struct Found {
 /// Opens the first of `names` (paths or names for the loader) that can be opened; closes it when destroyed.
 class Library {
  public:
+  /// Some libraries do not survive that, or lose what they hold: they stay in the process.
+  enum class Unload { when_closed, never };
+
   /// Null with a reason that names what was tried and why it failed.
-  static Found<Library> open(std::span<const std::string> names);
+  static Found<Library> open(std::span<const std::string> names, Unload unload = Unload::when_closed);
   ~Library();
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;

@@ -75,7 +75,7 @@ std::vector<std::string> nvrtc_places() {
 }
 
 Found<NvrtcApi> open_nvrtc() {
-  const Found<Library> library = Library::open(nvrtc_places());
+  const Found<Library> library = Library::open(nvrtc_places(), Library::Unload::never);
   if (!library) return {nullptr, "There is no kernel compiler (NVRTC). " + library.why_not};
 
   const auto api = std::make_shared<NvrtcApi>();
