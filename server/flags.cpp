@@ -51,6 +51,14 @@ FlagsOrExit parse_flags(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}));
   app.add_option("--state", flags.state_dir, "Folder for the daemon's files; made when missing.");
+  app.add_option("--kernel-cache", flags.kernel_cache_dir,
+                 "Folder for compiled GPU kernels (default: <state>/kernels).");
+  app.add_option("--device-memory-mib", flags.device_memory_mib, "Most memory to use of a GPU; 0 takes what it has.")
+      ->capture_default_str()
+      ->check(CLI::Range(u64{0}, u64{1} << 30));
+  app.add_option("--fault-after", flags.fault_after,
+                 "For tests: the GPU's kernel launch of this number fails on purpose; 0: none.")
+      ->capture_default_str();
   app.add_option("--threads", flags.threads, "Threads that render; 0 takes all processors.")
       ->capture_default_str()
       ->check(CLI::Range(0, 4096));
@@ -67,6 +75,7 @@ FlagsOrExit parse_flags(int argc, char** argv) {
          "Compile the GPU's kernels for these architectures, such as sm_80,sm_90, print registers and spills as "
          "JSON, and end; needs no GPU.")
       ->delimiter(',');
+  app.add_flag("--supervise", flags.supervise, "Run the daemon in a child process and start it again when it crashes.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -74,6 +83,7 @@ FlagsOrExit parse_flags(int argc, char** argv) {
     return {flags, code == 0 ? 0 : 2};
   }
   if (flags.state_dir.empty()) flags.state_dir = default_state_dir();
+  if (flags.kernel_cache_dir.empty()) flags.kernel_cache_dir = flags.state_dir / "kernels";
   if (flags.scenes_dir.empty()) flags.scenes_dir = default_scenes_dir();
   if (flags.data_dir.empty()) flags.data_dir = environment("RAYWALK_SCENE_DATA");
   if (flags.data_dir.empty()) flags.data_dir = flags.scenes_dir / "data";

@@ -44,6 +44,7 @@ FrameJob make_job(Services& s, const Json& q) {
         .at("/traversal");
   }
   job.traversal = traversal.name;
+  job.kernel = complete_options(kind, traversal, parse_options(q.value("kernel", Json::object())), "/kernel");
   job.camera = parse_camera(q.value("camera", Json()), *scene);
   job.width = q.at("width");
   job.height = q.at("height");

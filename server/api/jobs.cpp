@@ -46,8 +46,7 @@ Response list_jobs(Services& s, const Request&) {
 }
 
 Response submit_job(Services& s, const Request& r) {
-  const Workplace place{s.scenes, s.structures, s.queue, s.machine};
-  const BenchmarkSpec spec = checked(parse_spec(r.json.at("spec")), place);
+  const BenchmarkSpec spec = checked(parse_spec(r.json.at("spec")), s.scenes, s.structures.kinds());
   const JobQueue::Submitted submitted = s.jobs.submit(spec, r.header("idempotency-key"));
   Response response = http::json_response(to_json(submitted.job), submitted.fresh ? 202 : 200);
   response.headers["Location"] = "/v1/jobs/" + submitted.job.id;

@@ -41,6 +41,14 @@ struct Metrics::Impl {
   prometheus::Gauge& scenes = resident.Add({{"what", "scenes"}});
   prometheus::Gauge& structures = resident.Add({{"what", "structures"}});
 
+  prometheus::Family<prometheus::Gauge>& device_memory = prometheus::BuildGauge()
+                                                             .Name("raywalk_device_memory_bytes")
+                                                             .Help("Memory of the device itself; 0 for a CPU.")
+                                                             .Register(registry);
+  prometheus::Gauge& device_total = device_memory.Add({{"what", "total"}});
+  prometheus::Gauge& device_free = device_memory.Add({{"what", "free"}});
+  prometheus::Gauge& device_resident = device_memory.Add({{"what", "resident"}});
+
   prometheus::Counter& counter(const char* name, const char* help) {
     return prometheus::BuildCounter().Name(name).Help(help).Register(registry).Add({});
   }
@@ -75,6 +83,9 @@ std::string Metrics::text(const Gauges& gauges) {
   impl_->scenes.Set(gauges.scenes);
   impl_->structures.Set(gauges.structures);
   impl_->resident_bytes.Set(gauges.resident_bytes);
+  impl_->device_total.Set(static_cast<double>(gauges.device_memory.total_bytes));
+  impl_->device_free.Set(static_cast<double>(gauges.device_memory.free_bytes));
+  impl_->device_resident.Set(static_cast<double>(gauges.device_memory.resident_bytes));
   return prometheus::TextSerializer().Serialize(impl_->registry.Collect());
 }
 

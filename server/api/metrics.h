@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "server/device/device.h"
 #include "server/http/server.h"
 
 namespace raywalk::api {
@@ -20,6 +21,7 @@ class Metrics {
   /// What is asked for when the metrics are.
   struct Gauges {
     double queue_depth = 0, jobs_queued = 0, scenes = 0, structures = 0, resident_bytes = 0;
+    DeviceMemory device_memory = {};
   };
   /// The text form of all metrics.
   std::string text(const Gauges& gauges);

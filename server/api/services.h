@@ -14,6 +14,7 @@
 #include "server/device/device_queue.h"
 #include "server/http/contract.h"
 #include "server/http/server.h"
+#include "server/store/store.h"
 
 namespace raywalk::api {
 
@@ -22,11 +23,13 @@ struct Services {
   http::Limits limits;
   Machine machine;
   std::string requested_device;  // the flag of the daemon
+  std::string no_cuda;           // why no GPU is used; empty: one is, or none was asked for
   std::vector<std::string> warnings;
   DeviceQueue& queue;
   Scenes& scenes;
   Structures& structures;
   JobQueue& jobs;
+  store::Store& store;
   Metrics& metrics;
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
   FramePool frames = {};

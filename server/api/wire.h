@@ -11,6 +11,8 @@ Json to_json(const SceneEntry& entry);
 Json to_json(const StructureRecord& record, const std::vector<KindInfo>& kinds);
 Json to_json(const CameraPose& pose);
 Json to_json(const KindInfo& kind);
+/// Complete `values` of `options`, as a request would give them.
+Json options_json(const std::vector<Option>& options, const OptionValues& values);
 Json to_json(const Machine& machine);
 Json to_json(const BenchmarkSpec& spec);
 Json to_json(const Job& job);
@@ -18,8 +20,17 @@ Json to_json(const BenchmarkResult& result, const Job& job, const std::vector<Ki
 /// One line a row, with a header line.
 std::string to_csv(const BenchmarkResult& result);
 
+/// The problem of a job that failed in an earlier daemon, as it was told then.
+struct KeptProblem {
+  Json json;
+};
+/// The problem that a job failed with; null for others.
+Json error_json(const Job& job);
+
+const char* state_name(JobState state);
 const char* mode_name(BenchMode mode);
 
+Json to_json(const GivenOptions& options);
 GivenOptions parse_options(const Json& json);
 BenchmarkSpec parse_spec(const Json& json);
 Mode parse_mode(const Json& json);

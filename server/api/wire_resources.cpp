@@ -24,14 +24,6 @@ Json option_json(const GivenOption& value) {
   return number;
 }
 
-Json options_json(const StructureRecord& record, const std::vector<KindInfo>& kinds) {
-  Json options = Json::object();
-  for (const Option& option : kind_named(kinds, record.kind, "").options) {
-    options[std::string(option.name)] = option_json(shown_option(option, record.options.find(option.name)->second));
-  }
-  return options;
-}
-
 Json to_json(const Option& option) {
   Json json = {{"name", option.name}, {"help", option.help}};
   json["default"] = option_json(shown_option(option, option.default_value));
@@ -52,6 +44,14 @@ std::string state_name(StructureRecord::State state) {
 }
 
 }  // namespace
+
+Json options_json(const std::vector<Option>& options, const OptionValues& values) {
+  Json json = Json::object();
+  for (const Option& option : options) {
+    json[std::string(option.name)] = option_json(shown_option(option, values.find(option.name)->second));
+  }
+  return json;
+}
 
 Json to_json(const SceneEntry& entry) {
   const SceneInfo& info = entry.info;
@@ -84,7 +84,7 @@ Json to_json(const StructureRecord& record, const std::vector<KindInfo>& kinds) 
   Json json = {{"id", record.id},
                {"scene", record.scene},
                {"kind", record.kind},
-               {"options", options_json(record, kinds)},
+               {"options", options_json(kind_named(kinds, record.kind, "").options, record.options)},
                {"state", state_name(record.state)}};
   if (!record.error.empty()) json["error"] = record.error;
   if (!record.structure) return json;
@@ -106,7 +106,9 @@ Json to_json(const KindInfo& kind) {
   Json options = Json::array(), traversals = Json::array();
   for (const Option& option : kind.options) options.push_back(to_json(option));
   for (const TraversalInfo& t : kind.traversals) {
-    traversals.push_back({{"name", t.name}, {"help", t.help}, {"baseline", t.baseline}});
+    Json of_kernel = Json::array();
+    for (const Option& option : t.options) of_kernel.push_back(to_json(option));
+    traversals.push_back({{"name", t.name}, {"help", t.help}, {"baseline", t.baseline}, {"options", of_kernel}});
   }
   return {{"name", kind.name}, {"help", kind.help}, {"options", options}, {"traversals", traversals}};
 }
@@ -129,12 +131,19 @@ Json to_json(const Machine& m) {
           {"memory_bytes", m.memory_bytes},
           {"governor", m.governor},
           {"device", m.device},
+          {"device_details", m.device_details},
           {"compiler", m.compiler},
           {"build_type", m.build_type},
           {"build_flags", m.build_flags},
           {"version", m.version},
           {"git_commit", m.git_commit},
           {"libraries", m.libraries}};
+}
+
+Json to_json(const GivenOptions& options) {
+  Json json = Json::object();
+  for (const auto& [name, value] : options) json[name] = option_json(value);
+  return json;
 }
 
 GivenOptions parse_options(const Json& json) {

@@ -5,8 +5,7 @@
 #include <set>
 #include <string>
 
-#include "server/bench/measure.h"
-#include "server/bench/subject.h"
+#include "server/bench/session.h"
 #include "server/bench/validation.h"
 #include "server/system/refusal.h"
 #include "server/system/time_text.h"
@@ -25,6 +24,7 @@ void check_technique(const TechniqueSpec& technique, const BenchmarkSpec& spec, 
   const KindInfo& kind = kind_named(kinds, technique.structure, pointer + "/structure");
   const TraversalInfo& traversal = traversal_named(kind, technique.traversal, pointer + "/traversal");
   complete_options(kind, technique.options, pointer + "/options");
+  complete_options(kind, traversal, technique.kernel, pointer + "/kernel");
   if (traversal.baseline && std::find(spec.modes.begin(), spec.modes.end(), BenchMode::trace) == spec.modes.end()) {
     throw Refusal(Refusal::Why::invalid, "baseline_only_traces",
                   kind.name + "/" + traversal.name + " is a baseline: it is measured in mode trace alone.")
@@ -40,10 +40,9 @@ std::vector<Subject> make_subjects(const BenchmarkSpec& spec, const ScenePtr& sc
     const double fraction = kBuildPart * done++ / static_cast<double>(spec.techniques.size());
     report({"building " + technique.structure, false, fraction, 0, 0});
     const StructureRecord structure = place.structures.build_and_wait(scene, technique.structure, technique.options);
-    const KindInfo& kind = kind_named(place.structures.kinds(), technique.structure, "");
-    const bool baseline = traversal_named(kind, technique.traversal, "").baseline;
     for (const BenchMode mode : spec.modes) {
-      if (!baseline || mode == BenchMode::trace) subjects.push_back({technique, mode, structure, baseline});
+      Subject subject = make_subject(technique, mode, structure, place.structures.kinds());
+      if (!subject.baseline || mode == BenchMode::trace) subjects.push_back(std::move(subject));
     }
   }
   return subjects;
@@ -57,52 +56,49 @@ std::vector<Subject> make_references(std::span<const Subject> subjects, const Sc
     const TechniqueSpec technique = reference_of(subject.technique);
     if (!seen.insert(technique.structure).second) continue;
     report({"building " + technique.structure + " for reference", false, kBuildPart, 0, 0});
-    references.push_back({technique, BenchMode::primary,
-                          place.structures.build_and_wait(scene, technique.structure, technique.options)});
+    Structures& structures = place.reference_structures;
+    references.push_back(make_subject(technique, BenchMode::primary,
+                                      structures.build_and_wait(scene, technique.structure, technique.options),
+                                      structures.kinds()));
   }
   return references;
 }
 
-/// Holds the device for as long as it measures.
-Measurements measure_alone(const BenchmarkSpec& spec, const LoadedScene& scene, std::span<const Subject> subjects,
-                           DeviceQueue& queue, const std::function<void(const BenchmarkProgress&)>& report) {
-  report({"waiting for the device", false, kBuildPart, 0, 0});
-  DeviceQueue::Hold hold = queue.hold();
-  std::vector<DeviceTechnique> techniques;
-  std::vector<Technique*> pointers;
-  techniques.reserve(subjects.size());
-  for (const Subject& subject : subjects) {
-    techniques.emplace_back(hold, spec, scene, subject);
-    pointers.push_back(&techniques.back());
+/// Statistics and the median of each launch; a launch after the time limit has no times.
+Statistics summarise_launches(std::vector<std::vector<double>> ms, std::vector<double>& medians) {
+  std::erase_if(ms, [](const std::vector<double>& repeats) { return repeats.empty(); });
+  for (std::vector<double>& repeats : ms) {
+    std::sort(repeats.begin(), repeats.end());
+    medians.push_back(percentile(repeats, 0.5));
   }
-  const MeasurePlan plan{spec.frames, spec.warmup, spec.repeats, spec.time_limit_s};
-  const std::string measuring = subjects.size() == 1
-                                    ? "measuring " + subjects[0].name()
-                                    : "measuring " + std::to_string(subjects.size()) + " combinations in turns";
-  return measure(pointers, plan, [&](u64 done, u64 total) {
-    const double part = static_cast<double>(done) / static_cast<double>(total);
-    const bool warming = done < subjects.size() * plan.warmup;
-    const std::string stage = warming ? "warming up " + subjects[done / plan.warmup].name() : measuring;
-    report({stage, false, kBuildPart + kMeasurePart * part, done, total});
-  });
+  return summarise(ms);
 }
 
-ResultRow make_row(const Subject& subject, std::vector<std::vector<double>> ms, Validation validation) {
+double mrays_per_s(double rays_per_frame, const Statistics& frame_ms) {
+  return frame_ms.mean > 0 ? rays_per_frame / (frame_ms.mean * 1e3) : 0;
+}
+
+/// Row `index` of the result.
+ResultRow make_row(const Subject& subject, const Session& session, std::size_t index, Validation validation) {
   ResultRow row;
   row.structure = subject.technique.structure;
   row.traversal = subject.technique.traversal;
   row.structure_id = subject.structure.id;
   row.mode = subject.mode;
-  std::erase_if(ms, [](const std::vector<double>& repeats) { return repeats.empty(); });  // past the time limit
-  row.frame_ms = summarise(ms);
-  for (std::vector<double>& repeats : ms) {
-    std::sort(repeats.begin(), repeats.end());
-    row.frame_times_ms.push_back(percentile(repeats, 0.5));
-  }
+  row.frame_ms = summarise_launches(session.single.ms[index], row.frame_times_ms);
+  row.kernel = session.kernels[index];
+  row.kernel_options = subject.kernel;
+  row.changed_options = subject.changed_options;
+
   const Counts& counts = validation.counts;
   const auto rays = static_cast<double>(counts.rays);
   row.rays_per_frame = rays / static_cast<double>(std::max<u64>(validation.error.frames, 1));
-  if (row.frame_ms.mean > 0) row.mrays_per_s = row.rays_per_frame / (row.frame_ms.mean * 1e3);
+  row.mrays_per_s = mrays_per_s(row.rays_per_frame, row.frame_ms);
+  if (session.batched) {
+    std::vector<double> medians;
+    const Statistics frame_ms = summarise_launches(session.batched->ms[index], medians);
+    row.throughput = {session.frames_per_launch, frame_ms, mrays_per_s(row.rays_per_frame, frame_ms)};
+  }
   if (validation.counts_work && counts.rays > 0) {
     row.steps_per_ray = static_cast<double>(counts.steps) / rays;
     row.tests_per_ray = static_cast<double>(counts.tests) / rays;
@@ -128,14 +124,13 @@ std::vector<std::string> notes_on(const BenchmarkSpec& spec, const BenchmarkResu
 
 }  // namespace
 
-BenchmarkSpec checked(BenchmarkSpec spec, const Workplace& place) {
-  const std::vector<KindInfo>& kinds = place.structures.kinds();
-  place.scenes.find(spec.scene, "/spec/scene");
+BenchmarkSpec checked(BenchmarkSpec spec, const Scenes& scenes, const std::vector<KindInfo>& kinds) {
+  scenes.find(spec.scene, "/spec/scene");
   if (spec.techniques.empty()) {
     for (const KindInfo& kind : kinds) {
       if (kind.name == kOracle) continue;
       for (const TraversalInfo& traversal : kind.traversals) {
-        if (!traversal.baseline) spec.techniques.push_back({kind.name, traversal.name, {}});
+        if (!traversal.baseline) spec.techniques.push_back({kind.name, traversal.name});
       }
     }
   }
@@ -153,20 +148,25 @@ BenchmarkResult run_benchmark(const BenchmarkSpec& spec, const Workplace& place,
   const std::vector<Subject> subjects = make_subjects(spec, result.scene, place, report);
   const std::vector<Subject> references = make_references(subjects, result.scene, place, report);
 
-  Measurements measured = measure_alone(spec, *result.scene, subjects, place.queue, report);
-  const u64 frames = u64{subjects.size()} * (spec.warmup + u64{spec.frames} * spec.repeats);
+  const Session session =
+      measure_alone(spec, *result.scene, subjects, place.queue, [&](const SessionProgress& progress) {
+        const double part = static_cast<double>(progress.frames_done) / static_cast<double>(progress.frames_total);
+        report({progress.stage, false, kBuildPart + kMeasurePart * part, progress.frames_done, progress.frames_total});
+      });
   std::vector<Validation> validations =
-      validate(spec, *result.scene, subjects, references, place.queue, [&](double fraction) {
+      validate(spec, *result.scene, subjects, references, place.queue, place.reference_queue, [&](double fraction) {
         const double before = kBuildPart + kMeasurePart;
-        report({"comparing with the reference", true, before + (1 - before) * fraction, frames, frames});
+        report(
+            {"comparing with the reference", true, before + (1 - before) * fraction, session.frames, session.frames});
       });
 
   result.created_at = now_text();
   result.machine = place.machine;
-  result.reached_time_limit = measured.reached_time_limit;
+  result.reached_time_limit = session.reached_time_limit();
+  result.telemetry = session.telemetry;
   std::set<std::string> listed;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
-    result.rows.push_back(make_row(subjects[i], std::move(measured.ms[i]), std::move(validations[i])));
+    result.rows.push_back(make_row(subjects[i], session, i, std::move(validations[i])));
     if (listed.insert(subjects[i].structure.id).second) result.structures.push_back(subjects[i].structure);
   }
   result.notes = notes_on(spec, result);

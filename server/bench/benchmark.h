@@ -8,6 +8,7 @@
 
 #include "server/bench/errors.h"
 #include "server/bench/statistics.h"
+#include "server/bench/telemetry.h"
 #include "server/catalog/scenes.h"
 #include "server/catalog/structures.h"
 #include "server/system/machine.h"
@@ -19,7 +20,8 @@ enum class BenchMode { trace, primary, shadow, whitted };
 struct TechniqueSpec {
   std::string structure;
   std::string traversal;
-  GivenOptions options;
+  GivenOptions options = {};
+  GivenOptions kernel = {};  // of the traversal
 
   bool operator==(const TechniqueSpec&) const = default;
 };
@@ -33,10 +35,18 @@ struct BenchmarkSpec {
   u32 frames = 400;
   u32 warmup = 5;
   u32 repeats = 1;
+  u32 batch = 16;  // frames of a launch for throughput; less than 2: it is not measured
   u32 error_frames = 4;
   double time_limit_s = 3600;
 
   bool operator==(const BenchmarkSpec&) const = default;
+};
+
+/// Several frames in one launch.
+struct Throughput {
+  u32 frames_per_launch = 0;
+  Statistics frame_ms;  // of a launch, over its frames
+  double mrays_per_s = 0;
 };
 
 struct ResultRow {
@@ -47,6 +57,10 @@ struct ResultRow {
   double rays_per_frame = 0;
   std::optional<double> steps_per_ray, tests_per_ray;
   std::vector<double> frame_times_ms;  // median of each measured frame
+  OptionValues kernel_options;         // complete
+  std::string changed_options;         // of builder and kernel, that are not the default: " name=value" each
+  std::optional<KernelFigures> kernel;
+  std::optional<Throughput> throughput;
   ErrorFigures error;
 };
 
@@ -56,15 +70,19 @@ struct BenchmarkResult {
   ScenePtr scene;
   std::vector<StructureRecord> structures;
   std::vector<ResultRow> rows;
+  std::optional<TelemetrySummary> telemetry;  // while measuring
   bool reached_time_limit = false;
   std::vector<std::string> notes;
 };
 
-/// What a benchmark works with.
+/// What a benchmark works with. The references of errors run on a CPU: another engine where the measured one is a GPU,
+/// else the same.
 struct Workplace {
   Scenes& scenes;
   Structures& structures;
   DeviceQueue& queue;
+  Structures& reference_structures;
+  DeviceQueue& reference_queue;
   const Machine& machine;
 };
 
@@ -78,7 +96,7 @@ struct BenchmarkProgress {
 
 /// Fills in the default techniques. Throws Refusal, with pointers under /spec, for techniques that do not exist, bad
 /// options, and baselines where mode trace is not among the modes; they have no rows in others.
-BenchmarkSpec checked(BenchmarkSpec spec, const Workplace& place);
+BenchmarkSpec checked(BenchmarkSpec spec, const Scenes& scenes, const std::vector<KindInfo>& kinds);
 
 /// Loads, builds, warms up and measures alone on the device, then validates against the reference. `report` is called
 /// before each of these and at least once a frame; what it throws ends the run.

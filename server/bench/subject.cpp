@@ -1,17 +1,22 @@
 // Frames of a walkthrough for one technique.
 #include "server/bench/subject.h"
 
-#include <sstream>
-
 namespace raywalk {
 
-std::string Subject::name() const {
-  std::ostringstream text;
-  text << technique.structure << '/' << technique.traversal;
-  for (const auto& [option, value] : technique.options) {
-    std::visit([&, &key = option](const auto& shown) { text << ' ' << key << '=' << shown; }, value);
-  }
-  return text.str();
+Subject make_subject(const TechniqueSpec& technique, BenchMode mode, StructureRecord structure,
+                     const std::vector<KindInfo>& kinds) {
+  const KindInfo& kind = kind_named(kinds, technique.structure, "");
+  const TraversalInfo& traversal = traversal_named(kind, technique.traversal, "");
+  Subject subject;
+  subject.technique = technique;
+  subject.mode = mode;
+  subject.structure = std::move(structure);
+  subject.kernel = complete_options(kind, traversal, technique.kernel, "");
+  subject.changed_options = changed_options(kind.options, complete_options(kind, technique.options, "")) +
+                            changed_options(traversal.options, subject.kernel);
+  subject.name = kind.name + "/" + traversal.name + subject.changed_options;
+  subject.baseline = traversal.baseline;
+  return subject;
 }
 
 FrameJob frame_job(const BenchmarkSpec& spec, const LoadedScene& scene, const Subject& subject, u32 frame) {
@@ -25,23 +30,22 @@ FrameJob frame_job(const BenchmarkSpec& spec, const LoadedScene& scene, const Su
              : subject.mode == BenchMode::whitted ? Mode::whitted
                                                   : Mode::primary;
   job.depth = spec.depth;
+  job.kernel = subject.kernel;
   return job;
+}
+
+Work work_of(BenchMode mode) {
+  return mode == BenchMode::trace ? Work::trace : Work::frame;
 }
 
 u32 spaced_frame(u32 index, u32 count, u32 frames) {
   return static_cast<u32>(u64{index} * frames / count);
 }
 
-double DeviceTechnique::measure(u32 frame) {
-  const FrameJob job = frame_job(spec_, scene_, subject_, frame);
-  return hold_.run([&](Device& device) {
-    if (subject_.mode == BenchMode::trace) {
-      device.trace_primary(job, hits_);
-      return hits_.trace_ms;
-    }
-    device.render(job, frame_);
-    return frame_.trace_ms;
-  });
+double DeviceTechnique::measure(u32 first, u32 frames) {
+  jobs_.clear();
+  for (u32 i = 0; i < frames; ++i) jobs_.push_back(frame_job(spec_, scene_, subject_, first + i));
+  return hold_.run([&](Device& device) { return device.measure(jobs_, work_of(subject_.mode)); });
 }
 
 }  // namespace raywalk

@@ -10,14 +10,21 @@ struct Subject {
   TechniqueSpec technique;
   BenchMode mode = BenchMode::primary;
   StructureRecord structure;
-  bool baseline = false;  // its rays are known, its work cannot be counted
-
-  /// <structure>/<traversal>, and the options that differ from the defaults.
-  std::string name() const;
+  OptionValues kernel;          // complete
+  std::string changed_options;  // of builder and kernel, that are not the default: " name=value" each
+  std::string name;             // <structure>/<traversal>, and those
+  bool baseline = false;        // its rays are known, its work cannot be counted
 };
+
+/// `technique` is valid, and `structure` its built structure.
+Subject make_subject(const TechniqueSpec& technique, BenchMode mode, StructureRecord structure,
+                     const std::vector<KindInfo>& kinds);
 
 /// The job of frame `frame` of `spec.frames`; mode trace is a primary one.
 FrameJob frame_job(const BenchmarkSpec& spec, const LoadedScene& scene, const Subject& subject, u32 frame);
+
+/// What the device does when it measures a frame of this mode.
+Work work_of(BenchMode mode);
 
 /// Which of `error_frames` evenly spaced frames: `index` of `count` among `frames`.
 u32 spaced_frame(u32 index, u32 count, u32 frames);
@@ -27,15 +34,14 @@ class DeviceTechnique : public Technique {
  public:
   DeviceTechnique(DeviceQueue::Hold& hold, const BenchmarkSpec& spec, const LoadedScene& scene, const Subject& subject)
       : hold_(hold), spec_(spec), scene_(scene), subject_(subject) {}
-  double measure(u32 frame) override;
+  double measure(u32 first, u32 frames) override;
 
  private:
   DeviceQueue::Hold& hold_;
   const BenchmarkSpec& spec_;
   const LoadedScene& scene_;
   const Subject& subject_;
-  Frame frame_;  // storage, used again
-  PrimaryHits hits_;
+  std::vector<FrameJob> jobs_;  // storage, used again
 };
 
 }  // namespace raywalk

@@ -66,18 +66,18 @@ const Subject& reference_for(const Subject& subject, std::span<const Subject> re
   for (const Subject& reference : references) {
     if (reference.technique.structure == wanted.structure) return reference;
   }
-  throw std::logic_error("no reference for " + subject.name());
+  throw std::logic_error("no reference for " + subject.name);
 }
 
 }  // namespace
 
 TechniqueSpec reference_of(const TechniqueSpec& technique) {
-  if (technique.structure == "embree") return {"bvh", "while-while", {}};
+  if (technique.structure == "embree") return {"bvh", "while-while"};
   return {"embree", "intersect", {{"robust", "on"}}};  // watertight, as ours are: what remains are real differences
 }
 
 std::vector<Validation> validate(const BenchmarkSpec& spec, const LoadedScene& scene, std::span<const Subject> subjects,
-                                 std::span<const Subject> references, DeviceQueue& queue,
+                                 std::span<const Subject> references, DeviceQueue& queue, DeviceQueue& reference_queue,
                                  const std::function<void(double fraction)>& before_frame) {
   const u32 frames = std::min(spec.error_frames, spec.frames);
   std::vector<Validation> out(subjects.size());
@@ -86,22 +86,22 @@ std::vector<Validation> validate(const BenchmarkSpec& spec, const LoadedScene& s
   for (u32 i = 0; i < frames; ++i) {
     const u32 frame = spaced_frame(i, frames, spec.frames);
     std::map<const Subject*, ReferenceFrame> reference_frames;
-    std::map<std::string, ErrorFigures> hit_errors;  // by structure and traversal: the same in every mode
+    std::map<std::string, ErrorFigures> hit_errors;  // by structure and technique: the same in every mode
     for (std::size_t s = 0; s < subjects.size(); ++s) {
       before_frame((static_cast<double>(i) + static_cast<double>(s) / static_cast<double>(subjects.size())) / frames);
       const Subject& subject = subjects[s];
       const Subject& reference = reference_for(subject, references);
       auto& reference_frame =
-          reference_frames.try_emplace(&reference, spec, scene, reference, frame, queue).first->second;
+          reference_frames.try_emplace(&reference, spec, scene, reference, frame, reference_queue).first->second;
       const FrameJob job = frame_job(spec, scene, subject, frame);
 
-      const auto [hit_error, first] = hit_errors.try_emplace(subject.structure.id + "/" + subject.technique.traversal);
+      const auto [hit_error, first] = hit_errors.try_emplace(subject.structure.id + " " + subject.name);
       if (first) {
         queue.run([&](Device& device) { device.trace_primary(job, hits); });
         compare_hits(reference_frame.hits(), hits.hits, hit_error->second);
       }
       ErrorFigures& error = out[s].error;
-      error.reference = reference.name();
+      error.reference = reference.name;
       error.frames = frames;
       error.pixels += hit_error->second.pixels;
       error.id_mismatches += hit_error->second.id_mismatches;

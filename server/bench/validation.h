@@ -19,9 +19,9 @@ struct Validation {
 TechniqueSpec reference_of(const TechniqueSpec& technique);
 
 /// Compares `error_frames` evenly spaced frames of every subject. `references` has a structure for each reference
-/// that is needed. `before_frame` gets the fraction done.
+/// that is needed, for the device of `reference_queue`. `before_frame` gets the fraction done.
 std::vector<Validation> validate(const BenchmarkSpec& spec, const LoadedScene& scene, std::span<const Subject> subjects,
-                                 std::span<const Subject> references, DeviceQueue& queue,
+                                 std::span<const Subject> references, DeviceQueue& queue, DeviceQueue& reference_queue,
                                  const std::function<void(double fraction)>& before_frame);
 
 }  // namespace raywalk

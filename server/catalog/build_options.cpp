@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "server/system/refusal.h"
 
@@ -67,9 +68,10 @@ const TraversalInfo& traversal_named(const KindInfo& kind, const std::string& na
       .known(names_of(kind.traversals));
 }
 
-OptionValues complete_options(const KindInfo& kind, const GivenOptions& given, const std::string& pointer) {
+OptionValues complete_options(const std::vector<Option>& known, const std::string& owner, const GivenOptions& given,
+                              const std::string& pointer) {
   OptionValues options;
-  for (const Option& option : kind.options) {
+  for (const Option& option : known) {
     const std::string name(option.name);
     const auto found = given.find(name);
     if (found == given.end()) {
@@ -82,17 +84,37 @@ OptionValues complete_options(const KindInfo& kind, const GivenOptions& given, c
   }
   for (const auto& [name, unused] : given) {
     if (!options.contains(name)) {
-      throw Refusal(Refusal::Why::invalid, "unknown_option", "'" + kind.name + "' has no option '" + name + "'.")
+      throw Refusal(Refusal::Why::invalid, "unknown_option", "'" + owner + "' has no option '" + name + "'.")
           .at(pointer + "/" + name)
-          .known(names_of(kind.options));
+          .known(names_of(known));
     }
   }
   return options;
 }
 
+OptionValues complete_options(const KindInfo& kind, const GivenOptions& given, const std::string& pointer) {
+  return complete_options(kind.options, kind.name, given, pointer);
+}
+
+OptionValues complete_options(const KindInfo& kind, const TraversalInfo& traversal, const GivenOptions& given,
+                              const std::string& pointer) {
+  return complete_options(traversal.options, kind.name + "/" + traversal.name, given, pointer);
+}
+
 GivenOption shown_option(const Option& option, double value) {
   if (option.choices.empty()) return value;
   return std::string(option.choices.at(static_cast<std::size_t>(value)));
+}
+
+std::string changed_options(const std::vector<Option>& options, const OptionValues& values) {
+  std::ostringstream text;
+  for (const Option& option : options) {
+    const double value = values.find(option.name)->second;
+    if (value == option.default_value) continue;
+    text << ' ' << option.name << '=';
+    std::visit([&](const auto& shown) { text << shown; }, shown_option(option, value));
+  }
+  return text.str();
 }
 
 std::string structure_id(const std::string& scene, const KindInfo& kind, const OptionValues& options) {

@@ -30,10 +30,18 @@ std::string why_not_built(const std::string& scene, const std::string& kind, Sta
 void Structures::build_now(Device& device, Entry& entry) {
   StructurePtr structure;
   std::string error;
+  std::exception_ptr device_error;
   try {
     structure = device.build(entry.scene->blob, entry.record.kind, entry.record.options);
   } catch (const std::bad_alloc&) {
     error = "The daemon has not enough memory for it.";
+  } catch (const OutOfDeviceMemory& e) {
+    error = e.what();
+    device_error = std::current_exception();
+  } catch (const DeviceLost& e) {
+    error = e.what();
+    device_error = std::current_exception();
+    queue_.tell_lost(e.what());
   } catch (const std::exception& e) {
     error = e.what();
   }
@@ -42,6 +50,10 @@ void Structures::build_now(Device& device, Entry& entry) {
   entry.record.structure = std::move(structure);
   entry.record.state = error.empty() ? State::ready : State::failed;
   entry.record.error = std::move(error);
+  entry.device_error = device_error;
+  const auto found = entries_.find(entry.record.id);
+  const bool evicted = found == entries_.end() || found->second.get() != &entry;
+  if (entry.record.structure && !evicted) on_change_(entry.record);
 }
 
 Structures::EntryPtr Structures::start(const ScenePtr& scene, const std::string& kind_name, const GivenOptions& given) {
@@ -82,7 +94,9 @@ StructureRecord Structures::build_and_wait(const ScenePtr& scene, const std::str
   entry->ended.get();
   const std::lock_guard lock(mutex_);
   if (entry->record.state == State::failed) {
-    throw std::runtime_error("building " + entry->record.id + " failed: " + entry->record.error);
+    if (entry->device_error) std::rethrow_exception(entry->device_error);
+    throw Refusal(Refusal::Why::conflict, "build_failed",
+                  "Building '" + entry->record.id + "' failed: " + entry->record.error);
   }
   return entry->record;
 }
@@ -124,9 +138,10 @@ StructurePtr Structures::ready(const ScenePtr& scene, const std::string& ref, co
 }
 
 void Structures::evict(const std::string& id) {
-  find(id);
+  StructureRecord gone = find(id);
+  gone.structure = nullptr;
   const std::lock_guard lock(mutex_);
-  entries_.erase(id);
+  if (entries_.erase(id) > 0) on_change_(gone);
 }
 
 void Structures::evict_scene(const std::string& scene, const ScenePtr& keep) {

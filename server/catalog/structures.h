@@ -1,5 +1,7 @@
 // Structures by id: built once for a key on the device thread, found for frames, evicted without harm to running work.
 #pragma once
+#include <exception>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -30,15 +32,19 @@ struct StructureRecord {
 
 class Structures {
  public:
-  /// `kinds` outlives it.
-  Structures(DeviceQueue& queue, const std::vector<KindInfo>& kinds) : queue_(queue), kinds_(kinds) {}
+  /// `kinds` outlives it. `on_change` is called with a structure that has become ready, and without its `structure`
+  /// when it is evicted; those of an evicted scene go unnamed. It must not call back.
+  Structures(
+      DeviceQueue& queue, const std::vector<KindInfo>& kinds,
+      std::function<void(const StructureRecord&)> on_change = [](const StructureRecord&) {})
+      : queue_(queue), kinds_(kinds), on_change_(std::move(on_change)) {}
 
   const std::vector<KindInfo>& kinds() const { return kinds_; }
 
   /// Starts a build unless the structure is there or being built; a failed one is tried again.
   /// Throws Refusal for unknown kinds and bad options, DeviceBusy.
   StructureRecord build(const ScenePtr& scene, const std::string& kind, const GivenOptions& options);
-  /// The same, and waits for the end. Throws std::runtime_error with the cause when it fails.
+  /// The same, and waits for the end. When it fails, throws OutOfDeviceMemory, DeviceLost, or Refusal build_failed.
   StructureRecord build_and_wait(const ScenePtr& scene, const std::string& kind, const GivenOptions& options);
 
   std::vector<StructureRecord> list() const;
@@ -61,6 +67,7 @@ class Structures {
     StructureRecord record;
     ScenePtr scene;
     std::shared_future<void> ended;
+    std::exception_ptr device_error;  // OutOfDeviceMemory, DeviceLost
   };
   using EntryPtr = std::shared_ptr<Entry>;
 
@@ -69,6 +76,7 @@ class Structures {
 
   DeviceQueue& queue_;
   const std::vector<KindInfo>& kinds_;
+  std::function<void(const StructureRecord&)> on_change_;
   mutable std::mutex mutex_;
   std::map<std::string, EntryPtr> entries_;
 };

@@ -20,6 +20,7 @@ DeviceQueue::~DeviceQueue() {
 
 void DeviceQueue::admit(std::unique_lock<std::mutex>&, const std::shared_ptr<Task>& task) {
   if (stopping_) throw DeviceBusy("busy", "The daemon is stopping.");
+  if (lost_) throw DeviceLost(*lost_);
   if (task->owner == nullptr && tasks_.size() >= config_.capacity) {
     throw DeviceBusy("busy", "Too many requests wait for the device; try again later.");
   }
@@ -67,6 +68,20 @@ void DeviceQueue::release() {
   }
   work_.notify_all();
   done_.notify_all();
+}
+
+void DeviceQueue::tell_lost(const std::string& cause) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (lost_) return;
+    lost_ = cause;
+  }
+  if (config_.on_lost) config_.on_lost(cause);
+}
+
+std::optional<std::string> DeviceQueue::lost() const {
+  const std::lock_guard lock(mutex_);
+  return lost_;
 }
 
 std::size_t DeviceQueue::depth() const {

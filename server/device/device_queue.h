@@ -33,6 +33,8 @@ class DeviceQueue {
   struct Config {
     std::size_t capacity = 64;                    // tasks that may wait
     std::chrono::milliseconds held_wait{10'000};  // how long `run` waits while the device is held
+    /// Called once, from the device's thread, when work throws DeviceLost or `tell_lost` is called.
+    std::function<void(const std::string& cause)> on_lost = {};
   };
   class Hold;
 
@@ -43,18 +45,26 @@ class DeviceQueue {
   DeviceQueue(const DeviceQueue&) = delete;
   DeviceQueue& operator=(const DeviceQueue&) = delete;
 
+  /// For what may be asked from any thread.
+  const Device& device() const { return device_; }
+
   /// Runs `work(device)` on the device thread; returns its value or rethrows. `queue_ms` gets the time it waited.
-  /// Throws DeviceBusy.
+  /// Throws DeviceBusy, and DeviceLost without running anything once the device is lost.
   template <class Work>
   auto run(Work&& work, double* queue_ms = nullptr) {
     return run_as(nullptr, std::forward<Work>(work), queue_ms);
   }
 
-  /// Queues `work`, which must not throw, and returns. Throws DeviceBusy when the queue is full.
+  /// Queues `work`, which must not throw, and returns. Throws DeviceBusy when the queue is full, and DeviceLost.
   void post(std::function<void(Device&)> work);
 
   /// Takes the device for one holder alone, after what runs now; waits for another hold to end.
   Hold hold();
+
+  /// For work that keeps a DeviceLost to itself.
+  void tell_lost(const std::string& cause);
+  /// Why the device cannot be used any more; nothing while it can.
+  std::optional<std::string> lost() const;
 
   /// Tasks that wait.
   std::size_t depth() const;
@@ -83,26 +93,27 @@ class DeviceQueue {
       if (error) std::rethrow_exception(error);
     };
     if constexpr (std::is_void_v<Value>) {
-      task->work = [&](Device& device) {
-        try {
-          work(device);
-        } catch (...) {
-          error = std::current_exception();
-        }
-      };
+      task->work = [&](Device& device) { error = error_of([&] { work(device); }); };
       finish();
     } else {
       std::optional<Value> value;
-      task->work = [&](Device& device) {
-        try {
-          value.emplace(work(device));
-        } catch (...) {
-          error = std::current_exception();
-        }
-      };
+      task->work = [&](Device& device) { error = error_of([&] { value.emplace(work(device)); }); };
       finish();
       return std::move(*value);
     }
+  }
+
+  template <class Act>
+  std::exception_ptr error_of(Act act) {
+    try {
+      act();
+    } catch (const DeviceLost& lost) {
+      tell_lost(lost.what());
+      return std::current_exception();
+    } catch (...) {
+      return std::current_exception();
+    }
+    return nullptr;
   }
 
   void enqueue_and_wait(const std::shared_ptr<Task>& task);
@@ -118,6 +129,7 @@ class DeviceQueue {
   std::deque<std::shared_ptr<Task>> tasks_;
   const Hold* holder_ = nullptr;
   bool stopping_ = false;
+  std::optional<std::string> lost_;
   std::thread thread_;
 };
 

@@ -73,13 +73,15 @@ Json to_json(const Problem& problem, const std::string& instance, const std::str
                {"retryable", problem.retryable},
                {"request_id", request_id}};
   if (!problem.known.empty()) body["known"] = problem.known;
+  if (problem.needed_bytes) body["needed_bytes"] = *problem.needed_bytes;
+  if (problem.free_bytes) body["free_bytes"] = *problem.free_bytes;
   return body;
 }
 
 Response problem_response(const Problem& problem, const std::string& instance, const std::string& request_id) {
   Response response = json_response(to_json(problem, instance, request_id), problem.status);
   response.content_type = "application/problem+json";
-  if (problem.status == 429 || problem.status == 503) response.headers["Retry-After"] = "1";
+  if (problem.retryable && (problem.status == 429 || problem.status == 503)) response.headers["Retry-After"] = "1";
   return response;
 }
 
@@ -92,6 +94,10 @@ Problem problem_of_current_exception(const std::string& request_id) {
     return {status_of(e.why()), e.code(), e.what(), e.offences(), e.known_names(), e.is_retryable()};
   } catch (const DeviceBusy& e) {
     return {503, e.code(), e.what()};
+  } catch (const OutOfDeviceMemory& e) {
+    return {503, "out_of_device_memory", e.what(), {}, {}, false, e.needed_bytes(), e.free_bytes()};
+  } catch (const DeviceLost& e) {
+    return {503, "device_lost", std::string("The device is lost, and the daemon ends: ") + e.what()};
   } catch (const std::bad_alloc&) {
     return {503, "out_of_memory", "The daemon has not enough memory for this."};
   } catch (const std::exception& e) {

@@ -1,8 +1,10 @@
 // RFC 9457 problem details: every error answer has this one shape.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "kernels/platform.h"
 #include "server/http/message.h"
 #include "server/system/refusal.h"
 
@@ -30,6 +32,7 @@ struct Problem {
   std::vector<Refusal::Offence> offences = {};
   std::vector<std::string> known = {};
   bool retryable = status == 429 || status == 503;
+  std::optional<u64> needed_bytes = {}, free_bytes = {};  // of out_of_device_memory
 };
 
 int status_of(Refusal::Why why);

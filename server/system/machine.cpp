@@ -42,6 +42,7 @@ std::string fingerprint_of(const Machine& m) {
                                   m.compiler, m.build_type, m.build_flags}) {
     text += part + '\n';
   }
+  for (const auto& [name, value] : m.device_details) text += name + '=' + value + '\n';
   u64 hash = 14695981039346656037ull;  // FNV-1a
   for (const char c : text) hash = (hash ^ static_cast<u8>(c)) * 1099511628211ull;
   char out[24];
@@ -51,7 +52,8 @@ std::string fingerprint_of(const Machine& m) {
 
 }  // namespace
 
-Machine describe_machine(const std::string& device, u32 threads) {
+Machine describe_machine(const std::string& device, const std::map<std::string, std::string>& device_details,
+                         u32 threads) {
   Machine m;
   utsname names{};
   uname(&names);
@@ -64,6 +66,7 @@ Machine describe_machine(const std::string& device, u32 threads) {
   m.memory_bytes = static_cast<u64>(sysconf(_SC_PHYS_PAGES)) * static_cast<u64>(sysconf(_SC_PAGE_SIZE));
   m.governor = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   m.device = device;
+  m.device_details = device_details;
   m.compiler = build_info::kCompiler;
   m.build_type = build_info::kBuildType;
   m.build_flags = build_info::kFlags;

@@ -15,11 +15,13 @@ struct Machine {
   u64 memory_bytes = 0;
   std::string governor;  // frequency governor, or "unknown"
   std::string device;
+  std::map<std::string, std::string> device_details;  // driver, compiler and the like by name
   std::string compiler, build_type, build_flags, version, git_commit;
   std::map<std::string, std::string> libraries;  // name to version
 };
 
 /// Reads /proc, /sys and /etc/os-release; what cannot be read is "unknown".
-Machine describe_machine(const std::string& device, u32 threads);
+Machine describe_machine(const std::string& device, const std::map<std::string, std::string>& device_details,
+                         u32 threads);
 
 }  // namespace raywalk

@@ -5,12 +5,16 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 
 namespace raywalk {
 namespace {
 
 constexpr time_t kDeadlineSeconds = 8;
+constexpr std::chrono::seconds kSoon{1};
+
+std::atomic<int> exit_code_of_process{0};
 
 sigset_t shutdown_signals() {
   sigset_t set;
@@ -26,7 +30,7 @@ void end_at_deadline() {
   const timespec deadline{kDeadlineSeconds, 0};
   sigtimedwait(&set, nullptr, &deadline);
   spdlog::warn("work did not end in time; leaving it");
-  _exit(0);
+  _exit(exit_code_of_process);
 }
 
 }  // namespace
@@ -37,18 +41,31 @@ void block_shutdown_signals() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
+void shut_down_soon(int exit_code) {
+  exit_code_of_process = exit_code;
+  std::thread([] {
+    std::this_thread::sleep_for(kSoon);
+    kill(getpid(), SIGTERM);
+  }).detach();
+}
+
+int shutdown_exit_code() {
+  return exit_code_of_process;
+}
+
 ShutdownWatch::ShutdownWatch(std::function<void()> stop)
-    : thread_([stop = std::move(stop)] {
+    : thread_([this, stop = std::move(stop)] {
         const sigset_t set = shutdown_signals();
         int signal = 0;
         sigwait(&set, &signal);
+        if (unused_) return;
         spdlog::info("stopping: signal {}", signal);
         std::thread(end_at_deadline).detach();
         stop();
       }) {}
 
 ShutdownWatch::~ShutdownWatch() {
-  if (!thread_.joinable()) return;
+  unused_ = true;
   pthread_kill(thread_.native_handle(), SIGTERM);  // wakes it when the server ended by itself
   thread_.join();
 }
