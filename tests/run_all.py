@@ -98,6 +98,11 @@ def build(preset: str) -> Counts:
     return check(ROOT / "run", "build", "--preset", preset)
 
 
+def gpu_kernels() -> Counts:
+    """All GPU kernels compile, with the registers and spills of tests/gpu/kernels.csv. Needs NVRTC but no GPU."""
+    return check(ROOT / ".venv/bin/raywalk", "kernels", "--check")
+
+
 def cpp_tests(preset: str, gtest_filter: str) -> Counts:
     """Every test program of a build. One whose build failed may be old or missing: the build's failure is counted."""
     total = Counts()
@@ -127,6 +132,7 @@ PLAIN: list[Stage] = [
     ("clang-format", clang_format),
     ("ruff", ruff),
     ("build", lambda: build("release")),
+    ("GPU kernels compile, as their table says", gpu_kernels),
     ("C++ tests", lambda: cpp_tests("release", "-*Slow*")),
     ("Python tests", lambda: python_tests("not slow")),
 ]

@@ -266,6 +266,17 @@ def test_doctor_says_why_there_is_no_gpu(raywalk, ready, reason, advice) -> None
     assert f"warn GPU: not used: {reason}{advice}" in doctor_with(raywalk, ready, no_cuda=reason)
 
 
+def test_doctor_tells_a_missing_gpu_once(raywalk, ready) -> None:
+    why = "libcuda.so.1 was not found."
+    device = SYSTEM["device"] | {"no_cuda": why}
+    ready.on(
+        "GET", "/v1/system", SYSTEM | {"device": device, "warnings": [f"No GPU is used. {why}", "The disk is full."]}
+    )
+    lines = raywalk("doctor").stdout.splitlines()
+    assert sum(why in line for line in lines) == 1
+    assert "warn daemon: The disk is full." in lines
+
+
 def test_a_device_is_for_a_daemon_of_ones_own() -> None:
     got = CliRunner().invoke(app, ["--server", "http://127.0.0.1:9", "--device", "cpu", "doctor"])
     assert (got.exit_code, "--device is for a daemon" in got.stderr) == (2, True)

@@ -24,7 +24,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
     def log_message(self, *_): pass
 server = http.server.HTTPServer(("127.0.0.1", 0), Handler)
 flags = dict(zip(sys.argv[1::2], sys.argv[2::2]))
-assert flags["--port"] == "0" and flags["--state"]
+assert flags["--port"] == "0" and flags["--state"] and flags["--kernel-cache"].endswith("raywalk/kernels")
 if "PID_FILE" in os.environ: open(os.environ["PID_FILE"], "w").write(str(os.getpid()))
 open(flags["--port-file"], "w").write(str(server.server_address[1]))
 server.serve_forever()

@@ -30,7 +30,7 @@ TRACE = FRAME.model_copy(update={"program": "trace", "entry": "trace_any", "mode
 LISTING = Listing(nvrtc="13.0", kernels=[OLDER, FRAME, TRACE])
 PROGRAM = """
 import json, os, sys
-assert sys.argv[1] == "--compile-kernels"
+assert sys.argv[1::2] == ["--compile-kernels", "--kernel-cache"] and sys.argv[4].endswith("raywalk/kernels")
 listing = json.loads({listing!r})
 listing["kernels"] = [one for one in listing["kernels"] if one["architecture"] in sys.argv[2].split(",")]
 print(json.dumps(listing))

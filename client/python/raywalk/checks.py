@@ -118,7 +118,8 @@ def server_findings(client: Client) -> list[Finding]:
         Finding("ok", "daemon", f"{client.base_url}, version {machine.version}, commit {machine.git_commit[:12]}")
     ]
     findings += device_findings(system)
-    findings += [Finding("warn", "daemon", warning) for warning in system.warnings]
+    told = system.device.no_cuda  # with the device
+    findings += [Finding("warn", "daemon", text) for text in system.warnings if not (told and told in text)]
     if machine.build_type.lower() not in ("release", "relwithdebinfo"):
         findings.append(Finding("warn", "build", f"{machine.build_type}: times mean little", "./run build"))
     offered = {f"{kind.name}/{traversal.name}" for kind in client.get_kinds() for traversal in kind.traversals}

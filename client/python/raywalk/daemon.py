@@ -10,7 +10,7 @@ from typing import Self
 from raywalk import nvrtc
 from raywalk.client import Client
 from raywalk.errors import RaywalkError, UnreachableError
-from raywalk.places import daemon_program
+from raywalk.places import daemon_program, kernel_cache_dir
 
 START_LIMIT_S = 30.0
 STOP_LIMIT_S = 10.0
@@ -21,9 +21,9 @@ LOG_LINES = 12
 class LocalDaemon:
     """Context manager: runs raywalkd on a free port of the loopback address until the block ends, however it ends.
 
-    Its state is kept in a folder of its own and dropped with it. It compiles GPU kernels with the NVRTC of the Python
-    environment, unless RAYWALK_NVRTC names another. Throws RaywalkError with the daemon's last words when
-    it does not come up."""
+    Its state is kept in a folder of its own and dropped with it; compiled GPU kernels are kept. It compiles them with
+    the NVRTC of the Python environment, unless RAYWALK_NVRTC names another. Throws RaywalkError with the daemon's last
+    words when it does not come up."""
 
     def __init__(self, program: Path | None = None, arguments: tuple[str, ...] = (), log: Path | None = None):
         self._program = program
@@ -39,6 +39,7 @@ class LocalDaemon:
         self._log = self._log or folder / "log"
         port_file = folder / "port"
         flags = ["--port", "0", "--port-file", str(port_file), "--state", str(folder / "state")]
+        flags += ["--kernel-cache", str(kernel_cache_dir())]
         try:
             # A session of its own: Ctrl-C reaches this process, which then stops the daemon in good order.
             with self._log.open("wb") as log:

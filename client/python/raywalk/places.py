@@ -37,6 +37,12 @@ def data_dir() -> Path:
     return Path(named) if named else scenes_dir() / "data"
 
 
+def kernel_cache_dir() -> Path:
+    """Compiled GPU kernels, kept from one daemon of one's own to the next: they are found by their content."""
+    named = os.environ.get("XDG_CACHE_HOME")
+    return (Path(named) if named else Path.home() / ".cache") / "raywalk" / "kernels"
+
+
 def daemon_places() -> list[Path]:
     """Where the daemon is looked for, in order."""
     places = []

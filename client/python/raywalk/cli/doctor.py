@@ -2,7 +2,7 @@
 
 import typer
 
-from raywalk.checks import Finding, local_findings, server_findings
+from raywalk.checks import Finding, gpu_advice, local_findings, server_findings
 from raywalk.cli.session import Settings, connected, results
 from raywalk.errors import RaywalkError
 
@@ -19,7 +19,8 @@ def doctor(context: typer.Context) -> None:
             with connected(context) as client:
                 findings += server_findings(client)
         except RaywalkError as error:
-            advice = "is the address right and the daemon running?" if remote else "see the message; try ./run build"
+            advice = "is the address right and the daemon running?" if remote else gpu_advice(str(error))
+            advice = advice or "see the message; try ./run build"
             findings.append(Finding("fail", "daemon", str(error), advice))
     console = results()
     for finding in findings:

@@ -9,7 +9,7 @@ from pydantic import BaseModel, ValidationError
 
 from raywalk import nvrtc
 from raywalk.errors import RaywalkError
-from raywalk.places import daemon_program
+from raywalk.places import daemon_program, kernel_cache_dir
 
 LIMIT_S = 900.0
 WORDS = 3000  # characters of a failure that are shown: a compiler's log may be long
@@ -46,10 +46,10 @@ class Listing(BaseModel):
 
 
 def compile_kernels(architectures: Sequence[str], program: Path | None = None) -> Listing:
-    """Throws RaywalkError with the program's words when it cannot: no NVRTC, an unknown architecture, an error in the
-    sources."""
+    """Kernels that were compiled before come from the cache. Throws RaywalkError with the program's words when it
+    cannot: no NVRTC, an unknown architecture, an error in the sources."""
     path = program or daemon_program()
-    command = [str(path), "--compile-kernels", ",".join(architectures)]
+    command = [str(path), "--compile-kernels", ",".join(architectures), "--kernel-cache", str(kernel_cache_dir())]
     try:
         done = subprocess.run(
             command,
