@@ -132,8 +132,8 @@ def wait_for_port(process: subprocess.Popen[str]) -> int:
 
 @contextmanager
 def running_daemon(state: Path) -> Iterator[Daemon]:
-    """A daemon that must stop cleanly at the end."""
-    process = start(state, "--port", "0", "--log-level", "warn")
+    """A daemon on the CPU, whatever the machine has; it must stop cleanly at the end."""
+    process = start(state, "--port", "0", "--device", "cpu", "--log-level", "warn")
     port = wait_for_port(process)
     with httpx2.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as client:
         yield Daemon(process, port, client)

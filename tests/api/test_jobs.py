@@ -19,14 +19,15 @@ LONG = {
 
 def test_job_to_result(daemon: Daemon, soup: str) -> None:
     job = daemon.submit({**SMALL, "repeats": 3, "modes": ["trace", "primary", "shadow", "whitted"]})
-    assert job["spec"]["time_limit_s"] == 3600
+    assert (job["spec"]["time_limit_s"], job["spec"]["batch"]) == (3600, 16)
     names = {f"{t['structure']}/{t['traversal']}" for t in job["spec"]["techniques"]}
     assert {"grid/dda", "bvh/packet", "embree/intersect"} <= names
     assert not any(name.startswith("brute/") for name in names)
     done = daemon.finish(job)
     assert (done["state"], done["progress"], done["error"]) == ("succeeded", 1, None), done
     result = daemon.json("GET", f"/v1/results/{done['result']}", 200)
-    assert result["stop_reason"] == "completed"
+    assert (result["stop_reason"], result["telemetry"]) == ("completed", None)
+    assert result["machine"]["device"] == result["machine"]["cpu"]
     assert result["scene"]["triangles"] == 1000
     assert len(result["rows"]) == 4 * len(names)
     for row in result["rows"]:
@@ -40,6 +41,7 @@ def test_job_to_result(daemon: Daemon, soup: str) -> None:
         assert times["min"] <= times["median"] <= times["p95"] <= times["p99"]
         assert times["ci95_low"] <= times["median"] <= times["ci95_high"]
         assert times["samples"] == 18
+        assert (row["kernel"], row["throughput"]) == (None, None)  # the CPU takes one frame at a time
         assert len(row["frame_times_ms"]) == 6
         assert (row["steps_per_ray"] is None) == (row["structure"] == "embree")
         if row["mode"] in ("trace", "primary"):
@@ -50,6 +52,14 @@ def test_job_to_result(daemon: Daemon, soup: str) -> None:
     table = daemon.client.get(f"/v1/results/{done['result']}", headers={"Accept": "text/csv"})
     assert table.headers["content-type"] == "text/csv"
     assert len(list(csv.DictReader(io.StringIO(table.text)))) == len(result["rows"])
+
+
+def test_kernel_options_are_checked_when_the_job_is_submitted(daemon: Daemon, soup: str) -> None:
+    techniques = [{"structure": "bvh", "traversal": "packet", "kernel": kernel} for kernel in ({}, {"registers": 40})]
+    body = {"kind": "benchmark", "spec": {**SMALL, "techniques": techniques}}
+    problem = daemon.problem("POST", "/v1/jobs", 422, "unknown_option", json=body)
+    assert pointers(problem) == {"/spec/techniques/1/kernel/registers"}
+    assert "bvh/packet" in problem["detail"]
 
 
 def test_idempotency_key(daemon: Daemon, soup: str) -> None:

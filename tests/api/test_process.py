@@ -57,7 +57,6 @@ def test_port_in_use(starter: Starter) -> None:
 @pytest.mark.parametrize(
     ("flags", "code", "words"),
     [
-        (["--device", "cuda"], 3, "no GPU device"),
         (["--host", "0.0.0.0"], 2, "loopback"),
         (["--state", "/proc/nothing"], 2, "cannot be written"),
         (["--scenes", "/nothing"], 2, "no folder of scenes"),
@@ -73,11 +72,26 @@ def test_bad_settings_say_one_sentence(tmp_path: Path, flags: list[str], code: i
     assert words in ended.stderr + ended.stdout
 
 
+@pytest.mark.parametrize("variable", ["RAYWALK_LIBCUDA", "CUDA_VISIBLE_DEVICES"])
+def test_no_gpu_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, variable: str) -> None:
+    """No driver at all, or one that shows no device."""
+    monkeypatch.setenv(variable, "/nothing/libcuda.so.1" if variable == "RAYWALK_LIBCUDA" else "")
+    command = [find_daemon(), "--port", "0", "--state", str(tmp_path), "--device", "cuda"]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=20)
+    assert ended.returncode == 3
+    assert ended.stderr.startswith("raywalkd: There is no GPU for --device cuda. "), ended.stderr
+    assert ended.stderr.count("\n") == 1, ended.stderr
+
+
 def test_auto_falls_back_and_says_so(starter: Starter) -> None:
     port = wait_for_port(starter("--port", "0", "--device", "auto", "--threads", "1"))
     system = httpx2.get(f"http://127.0.0.1:{port}/v1/system").json()
     assert system["device"]["requested"] == "auto"
-    assert any("GPU" in warning for warning in system["warnings"])
+    if reason := system["device"]["no_cuda"]:
+        assert system["device"]["kind"] == "cpu"
+        assert any(warning.endswith(reason) for warning in system["warnings"])
+    else:
+        assert system["device"]["kind"] == "cuda"
     assert system["machine"]["threads"] == 1
 
 

@@ -25,7 +25,15 @@ def test_machine_record(daemon: Daemon) -> None:
     assert "-ffp-contract=off" in machine["build_flags"]
     assert machine["libraries"]["embree"]
     assert system["limits"]["json_bytes"] == 1 << 20
-    assert system["device"]["kind"] == "cpu"
+    assert system["device"] == {
+        "name": machine["device"],
+        "kind": "cpu",
+        "requested": "cpu",
+        "no_cuda": None,
+        "details": {},
+        "memory": {"total_bytes": 0, "free_bytes": 0, "resident_bytes": 0},
+    }
+    assert system["warnings"] == []
 
 
 def test_kinds_name_the_required_techniques(daemon: Daemon) -> None:
@@ -34,6 +42,7 @@ def test_kinds_name_the_required_techniques(daemon: Daemon) -> None:
     required = {"grid/dda", "kdtree/short-stack-3", "kdtree/short-stack-2", "bvh/packet", "bvh/while-while"}
     assert required | {"embree/intersect"} <= names
     for kind in kinds:
+        assert all(traversal["options"] == [] for traversal in kind["traversals"])  # the CPU has no choice
         for option in kind["options"]:
             if "choices" in option:
                 assert option["default"] in option["choices"]
@@ -53,6 +62,10 @@ def test_metrics_count_requests(daemon: Daemon) -> None:
     before = int(series.search(daemon.client.get("/metrics").text).group(1))
     daemon.json("GET", "/v1/kinds", 200)
     assert int(series.search(daemon.client.get("/metrics").text).group(1)) == before + 1
+
+
+def test_metrics_tell_device_memory(daemon: Daemon) -> None:
+    assert 'raywalk_device_memory_bytes{what="free"} 0' in daemon.client.get("/metrics").text
 
 
 def test_unknown_path_and_method(daemon: Daemon) -> None:
