@@ -188,8 +188,11 @@ int supervise(const std::vector<std::string>& given, const std::string& host, in
   while (true) {
     const pid_t child = start_daemon(arguments);
     const End end = wait_for_end(child);
-    if (const std::optional<int> code = final_code(end)) return *code;
     const std::string how = how_it_ended(end.status);
+    if (const std::optional<int> code = final_code(end)) {
+      if (*code != 0 && WIFSIGNALED(end.status)) spdlog::error("the daemon (process {}) ended {}", child, how);
+      return *code;
+    }
     while (!restarts.empty() && Clock::now() - restarts.front() > kWindow) restarts.pop_front();
     if (restarts.size() == kMostRestarts) {
       throw std::runtime_error("The daemon crashed " + std::to_string(kMostRestarts + 1) + " times within " +

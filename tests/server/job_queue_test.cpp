@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 
 #include "server/system/refusal.h"
 
@@ -13,6 +14,52 @@ namespace {
 
 using namespace std::chrono_literals;
 using Report = std::function<void(const BenchmarkProgress&)>;
+
+/// What was kept last, and which results.
+class MemoryKeeper : public JobKeeper {
+ public:
+  void keep(const Job& job) override {
+    const std::lock_guard lock(mutex_);
+    if (full) throw Refusal(Refusal::Why::unavailable, "storage_failed", "The disk is full.");
+    jobs_[job.id] = job;
+  }
+  void keep(const Job& job, const BenchmarkResult& result) override {
+    keep(job);
+    const std::lock_guard lock(mutex_);
+    results_[job.id] = result.created_at;
+  }
+  void forget(const std::string& id) override {
+    const std::lock_guard lock(mutex_);
+    jobs_.erase(id);
+    results_.erase(id);
+  }
+  Job job(const std::string& id) const {
+    const std::lock_guard lock(mutex_);
+    return jobs_.at(id);
+  }
+  std::map<std::string, std::string> results() const {
+    const std::lock_guard lock(mutex_);
+    return results_;
+  }
+  std::size_t size() const {
+    const std::lock_guard lock(mutex_);
+    return jobs_.size();
+  }
+
+  std::atomic<bool> full{false};
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::string, Job> jobs_;
+  std::map<std::string, std::string> results_;  // their dates
+};
+
+/// A queue that works, with a keeper of its own.
+class WorkingQueue : private MemoryKeeper, public JobQueue {
+ public:
+  explicit WorkingQueue(Run run) : JobQueue(std::move(run), *this) { start(); }
+  MemoryKeeper& keeper() { return *this; }
+};
 
 Job wait_for_end(const JobQueue& jobs, const std::string& id) {
   Job job = jobs.find(id);
@@ -29,7 +76,7 @@ BenchmarkResult endless(const BenchmarkSpec&, const Report& report) {
 }
 
 TEST(JobQueue, SucceedsWithAResult) {
-  JobQueue jobs([](const BenchmarkSpec&, const Report& report) {
+  WorkingQueue jobs([](const BenchmarkSpec&, const Report& report) {
     report({"a", false, 0.5, 1, 2});
     report({"b", true, 0.9, 2, 2});
     return BenchmarkResult{};
@@ -39,20 +86,21 @@ TEST(JobQueue, SucceedsWithAResult) {
   const Job job = wait_for_end(jobs, submitted.job.id);
   EXPECT_EQ(job.state, JobState::succeeded);
   EXPECT_EQ(job.progress, 1.0);
-  EXPECT_TRUE(job.result);
+  EXPECT_TRUE(job.has_result);
   EXPECT_FALSE(job.ended_at.empty());
 }
 
 TEST(JobQueue, FailsWithItsCause) {
-  JobQueue jobs([](const BenchmarkSpec&, const Report&) -> BenchmarkResult { throw std::runtime_error("no memory"); });
+  WorkingQueue jobs(
+      [](const BenchmarkSpec&, const Report&) -> BenchmarkResult { throw std::runtime_error("no memory"); });
   const Job job = wait_for_end(jobs, jobs.submit({}, "").job.id);
   EXPECT_EQ(job.state, JobState::failed);
-  EXPECT_FALSE(job.result);
+  EXPECT_FALSE(job.has_result);
   EXPECT_THROW(std::rethrow_exception(job.error), std::runtime_error);
 }
 
 TEST(JobQueue, TheSameKeyIsTheSameJob) {
-  JobQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
+  WorkingQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
   const auto first = jobs.submit({}, "k"), second = jobs.submit({}, "k"), other = jobs.submit({}, "");
   EXPECT_FALSE(second.fresh);
   EXPECT_EQ(second.job.id, first.job.id);
@@ -60,7 +108,7 @@ TEST(JobQueue, TheSameKeyIsTheSameJob) {
 }
 
 TEST(JobQueue, AKeyStandsForOneSpec) {
-  JobQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
+  WorkingQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
   jobs.submit({}, "k");
   BenchmarkSpec other;
   other.frames = 7;
@@ -75,7 +123,7 @@ TEST(JobQueue, AKeyStandsForOneSpec) {
 TEST(JobQueue, EveryStageIsSeen) {
   std::vector<std::string> seen;
   JobQueue* queue = nullptr;
-  JobQueue jobs([&](const BenchmarkSpec&, const Report& report) {
+  WorkingQueue jobs([&](const BenchmarkSpec&, const Report& report) {
     for (const char* stage : {"loading", "building", "warming up", "measuring"}) {
       for (int i = 0; i < 3; ++i) report({stage, false, 0.1, 1, 2});
       seen.push_back(queue->list().front().stage);
@@ -88,7 +136,7 @@ TEST(JobQueue, EveryStageIsSeen) {
 }
 
 TEST(JobQueue, CancelsWhatRunsAndWhatWaits) {
-  JobQueue jobs(endless);
+  WorkingQueue jobs(endless);
   const std::string running = jobs.submit({}, "").job.id, waiting = jobs.submit({}, "").job.id;
   EXPECT_EQ(jobs.cancel(waiting).state, JobState::cancelled);
   jobs.wait_for_change(running, 2, 5s);
@@ -98,7 +146,7 @@ TEST(JobQueue, CancelsWhatRunsAndWhatWaits) {
 }
 
 TEST(JobQueue, IsBounded) {
-  JobQueue jobs(endless);
+  WorkingQueue jobs(endless);
   const std::string running = jobs.submit({}, "").job.id;
   while (jobs.find(running).state == JobState::queued) std::this_thread::sleep_for(1ms);
   for (std::size_t i = 0; i < JobQueue::kMaxQueued; ++i) EXPECT_EQ(jobs.submit({}, "").job.position, i + 1);
@@ -114,15 +162,124 @@ TEST(JobQueue, IsBounded) {
 TEST(JobQueue, EndsWithoutWaitingForItsJobs) {
   const auto begin = std::chrono::steady_clock::now();
   {
-    JobQueue jobs(endless);
+    WorkingQueue jobs(endless);
     jobs.submit({}, "");
     jobs.submit({}, "");
   }
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 2s);
 }
 
+TEST(JobQueue, KeepsEveryStateAndTheResult) {
+  WorkingQueue* queue = nullptr;
+  std::vector<std::string> kept;
+  WorkingQueue jobs([&](const BenchmarkSpec&, const Report& report) {
+    const std::string id = queue->list().front().id;
+    kept.push_back(queue->keeper().job(id).stage);
+    report({"measuring", false, 0.5, 1, 2});
+    kept.push_back(queue->keeper().job(id).stage);
+    BenchmarkResult result;
+    result.created_at = "today";
+    return result;
+  });
+  queue = &jobs;
+  const std::string id = wait_for_end(jobs, jobs.submit({}, "k").job.id).id;
+  EXPECT_EQ(kept, (std::vector<std::string>{"starting", "measuring"}));
+  const Job job = jobs.keeper().job(id);
+  EXPECT_EQ(job.state, JobState::succeeded);
+  EXPECT_EQ(job.key, "k");
+  EXPECT_TRUE(job.has_result);
+  EXPECT_EQ(jobs.keeper().results().at(id), "today");
+}
+
+TEST(JobQueue, AJobThatCannotBeKeptIsRefused) {
+  WorkingQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
+  jobs.keeper().full = true;
+  EXPECT_THROW(jobs.submit({}, "k"), Refusal);
+  EXPECT_TRUE(jobs.list().empty());
+  jobs.keeper().full = false;
+  EXPECT_TRUE(jobs.submit({}, "k").fresh) << "the key was not taken";
+}
+
+TEST(JobQueue, AResultThatCannotBeKeptFailsItsJob) {
+  WorkingQueue* queue = nullptr;
+  WorkingQueue jobs([&](const BenchmarkSpec&, const Report&) {
+    queue->keeper().full = true;
+    return BenchmarkResult{};
+  });
+  queue = &jobs;
+  const Job job = wait_for_end(jobs, jobs.submit({}, "").job.id);
+  EXPECT_EQ(job.state, JobState::failed);
+  EXPECT_FALSE(job.has_result);
+  EXPECT_THROW(std::rethrow_exception(job.error), Refusal);
+}
+
+TEST(JobQueue, GoesOnWithKeptJobs) {
+  std::vector<Job> kept(3);
+  const char* ids[] = {"a", "b", "c"};
+  for (int i = 0; i < 3; ++i) kept[i].id = ids[i];
+  kept[0].state = JobState::succeeded;
+  kept[0].key = "k";
+  kept[1].spec.frames = 1;
+  kept[2].spec.frames = 2;
+  std::vector<u32> run;
+  MemoryKeeper keeper;
+  JobQueue jobs(
+      [&](const BenchmarkSpec& spec, const Report&) {
+        run.push_back(spec.frames);
+        return BenchmarkResult{};
+      },
+      keeper, kept);
+  EXPECT_EQ(jobs.submit({}, "k").job.id, "a");
+  EXPECT_EQ(jobs.find("c").position, 1u);
+  std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(jobs.queued(), 2u) << "nothing runs before start()";
+  jobs.start();
+  wait_for_end(jobs, "b");
+  wait_for_end(jobs, "c");
+  EXPECT_EQ(run, (std::vector<u32>{1, 2}));
+}
+
+TEST(JobQueue, WhatWaitsAtTheEndIsKeptAsQueued) {
+  MemoryKeeper keeper;
+  std::string running, waiting;
+  {
+    JobQueue jobs(endless, keeper);
+    jobs.start();
+    running = jobs.submit({}, "").job.id;
+    waiting = jobs.submit({}, "").job.id;
+    jobs.wait_for_change(running, 2, 5s);
+  }
+  EXPECT_EQ(keeper.job(running).state, JobState::interrupted);
+  EXPECT_EQ(keeper.job(waiting).state, JobState::queued);
+}
+
+TEST(JobQueue, ALostDeviceRunsNothingMore) {
+  MemoryKeeper keeper;
+  JobQueue jobs([](const BenchmarkSpec&, const Report&) -> BenchmarkResult { throw DeviceLost("it trapped"); }, keeper);
+  const std::string first = jobs.submit({}, "").job.id, second = jobs.submit({}, "").job.id;
+  jobs.start();
+  EXPECT_EQ(wait_for_end(jobs, first).state, JobState::failed);
+  std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(jobs.find(second).state, JobState::queued);
+}
+
+TEST(JobQueue, TheOldestAreForgotten) {
+  std::vector<Job> kept(JobQueue::kMaxEnded + 5);
+  MemoryKeeper keeper;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    kept[i].id = std::to_string(i);
+    kept[i].state = JobState::cancelled;
+    keeper.keep(kept[i]);
+  }
+  const JobQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; }, keeper, kept);
+  EXPECT_EQ(jobs.list().size(), JobQueue::kMaxEnded);
+  EXPECT_EQ(keeper.size(), JobQueue::kMaxEnded);
+  EXPECT_THROW(jobs.find("4"), Refusal);
+  EXPECT_NO_THROW(jobs.find("5"));
+}
+
 TEST(JobQueue, UnknownJob) {
-  JobQueue jobs(endless);
+  WorkingQueue jobs(endless);
   EXPECT_THROW(jobs.find("x"), Refusal);
   EXPECT_THROW(jobs.cancel("x"), Refusal);
 }

@@ -535,6 +535,9 @@ class Job(BaseModel):
     kind: Literal["benchmark"]
     spec: BenchmarkSpec
     state: Literal["queued", "running", "validating", "succeeded", "failed", "cancelled", "interrupted"]
+    """
+    Jobs outlive the daemon. One that ran when it crashed is failed (daemon_crashed), or interrupted when it was stopped, and is not run again by itself; queued ones are.
+    """
     position: Annotated[int, Field(ge=0)]
     """
     Jobs before it; 0 when running or ended.
@@ -551,6 +554,9 @@ class Job(BaseModel):
     Seconds to the end as estimated; null when unknown.
     """
     attempt: Annotated[int, Field(ge=1)]
+    """
+    Grows when the daemon crashed while the job was queued.
+    """
     result: str | None = None
     """
     Id for GET /v1/results when it has succeeded.
