@@ -137,10 +137,10 @@ int main(int argc, char** argv) {
   using namespace raywalk;
   const auto [flags, exit_code] = parse_flags(argc, argv);
   if (exit_code) return *exit_code;
-  if (!flags.compile_kernels.empty()) return compile_kernels(flags.compile_kernels, flags.kernel_cache_dir);
-  block_shutdown_signals();  // before any thread starts
+  if (flags.compile_kernels.empty()) block_shutdown_signals();  // before any thread starts
   if (flags.die_with_parent) prctl(PR_SET_PDEATHSIG, SIGTERM);
   set_up_logging(flags.log_level, flags.log_json);
+  if (!flags.compile_kernels.empty()) return compile_kernels(flags.compile_kernels, flags.kernel_cache_dir);
   try {
     if (flags.supervise) return supervise({argv, argv + argc}, flags.host, flags.port);
     return run(flags);

@@ -61,10 +61,8 @@ def register_cap(row: ResultRow) -> int:
 
 
 def label(spec: BenchmarkSpec, row: ResultRow, without: str = "") -> str:
-    """STRUCTURE/TRAVERSAL, and in brackets the options that its benchmark named but `without`; no cap needs no word."""
+    """STRUCTURE/TRAVERSAL, and in brackets the options that its benchmark named but `without`."""
     options = {name: value for name, value in asked(spec, row).items() if name != without}
-    if options.get(REGISTERS) == 0:
-        del options[REGISTERS]
     return f"{row.structure}/{row.traversal}" + (f"[{options_text(options)}]" if options else "")
 
 
