@@ -65,7 +65,7 @@ Session measure_alone(const BenchmarkSpec& spec, const LoadedScene& scene, std::
       report({stage, before + done, out.frames});
     });
   }
-  out.telemetry = summarise(sampler.stop());
+  out.telemetry = summarise_readings(sampler.stop());
   for (const Subject& subject : subjects) {
     const FrameJob job = frame_job(spec, scene, subject, 0);
     out.kernels.push_back(hold.run([&](Device& d) { return d.kernel_figures(job, work_of(subject.mode)); }));

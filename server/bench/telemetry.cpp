@@ -19,7 +19,7 @@ SensorRange range_of(std::span<const Telemetry> readings, Value value) {
 
 }  // namespace
 
-std::optional<TelemetrySummary> summarise(std::span<const Telemetry> readings) {
+std::optional<TelemetrySummary> summarise_readings(std::span<const Telemetry> readings) {
   if (readings.empty()) return std::nullopt;
   TelemetrySummary out;
   out.core_clock_mhz = range_of(readings, [](const Telemetry& t) { return t.core_clock_mhz; });

@@ -25,7 +25,7 @@ struct TelemetrySummary {
 };
 
 /// Nothing of no readings.
-std::optional<TelemetrySummary> summarise(std::span<const Telemetry> readings);
+std::optional<TelemetrySummary> summarise_readings(std::span<const Telemetry> readings);
 
 /// Reads the sensors on a thread of its own, from its making to `stop`; a device without sensors is asked once.
 class TelemetrySampler {

@@ -95,7 +95,10 @@ Problem problem_of_current_exception(const std::string& request_id) {
   } catch (const DeviceBusy& e) {
     return {503, e.code(), e.what()};
   } catch (const OutOfDeviceMemory& e) {
-    return {503, "out_of_device_memory", e.what(), {}, {}, false, e.needed_bytes(), e.free_bytes()};
+    Problem problem{503, "out_of_device_memory", e.what(), {}, {}, false};
+    if (e.needed_bytes() > 0) problem.needed_bytes = e.needed_bytes();  // 0: not known
+    problem.free_bytes = e.free_bytes();
+    return problem;
   } catch (const DeviceLost& e) {
     return {503, "device_lost", std::string("The device is lost, and the daemon ends: ") + e.what()};
   } catch (const std::bad_alloc&) {

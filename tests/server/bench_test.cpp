@@ -73,10 +73,11 @@ TEST(Statistics, StabilityLooksAtRepeatsNotAtFrames) {
 class NullTechnique : public Technique {
  public:
   NullTechnique(char name, std::string& log) : name_(name), log_(log) {}
-  double measure(u32 frame) override {
+  double measure(u32 first, u32 frames) override {
     log_ += name_;
-    log_ += std::to_string(frame);
-    return frame + 1.0;
+    log_ += std::to_string(first);
+    if (frames > 1) log_ += "+" + std::to_string(frames);
+    return frames * (first + 1.0);
   }
 
  private:
@@ -100,6 +101,24 @@ TEST(Measure, InterleavesFrameByFrameAfterTheWarmUp) {
   EXPECT_EQ(calls, last_total);
   EXPECT_FALSE(m.reached_time_limit);
   EXPECT_EQ(m.ms[0][1], (std::vector<double>{2, 2}));
+}
+
+TEST(Measure, TakesTurnsLaunchByLaunch) {
+  std::string log;
+  NullTechnique a('a', log), b('b', log);
+  Technique* const techniques[] = {&a, &b};
+  u64 frames = 0, last_total = 0;
+  const MeasurePlan plan{.frames = 10, .per_launch = 4, .warmup = 1};
+  const Measurements m = measure(techniques, plan, [&](u64 done, u64 total) {
+    EXPECT_EQ(done, frames);
+    frames += 4;
+    last_total = total;
+  });
+  EXPECT_EQ(log,
+            "a0+4b0+4"
+            "a0+4b0+4a4+4b4+4a6+4b6+4");  // the last launch is full too
+  EXPECT_EQ(frames, last_total);
+  EXPECT_EQ(m.ms[1], (std::vector<std::vector<double>>{{1}, {5}, {7}}));  // of one frame
 }
 
 TEST(Measure, StopsAtTheTimeLimitWithEqualSamples) {

@@ -6,19 +6,14 @@
 #include "server/catalog/structures.h"
 #include "server/system/refusal.h"
 #include "tests/server/fake_device.h"
+#include "tests/server/fake_scene.h"
 
 namespace raywalk {
 namespace {
 
 using namespace std::chrono_literals;
 
-ScenePtr scene_named(const std::string& name) {
-  auto scene = std::make_shared<LoadedScene>();
-  scene->info.name = name;
-  scene->info.triangles = 3;
-  scene->blob = std::make_shared<const Blob>(Blob(64));
-  return scene;
-}
+using test::scene_named;
 
 std::string code_of(const std::function<void()>& act) {
   try {
@@ -49,6 +44,34 @@ TEST(OptionValues, DefaultsRangesAndChoices) {
   EXPECT_EQ(code({{"split", 1.0}}), "invalid_option");
   EXPECT_EQ(code({{"split", "other"}}), "invalid_option");
   EXPECT_EQ(code({{"speed", 1.0}}), "unknown_option");
+}
+
+TEST(OptionValues, OfKernelsAreCheckedAlike) {
+  test::FakeDevice device;
+  const KindInfo& kind = device.kinds()[0];
+  const TraversalInfo& traversal = kind.traversals[0];
+  const OptionValues values = complete_options(kind, traversal, {{"registers", 40.0}}, "/kernel");
+  EXPECT_EQ(values, (OptionValues{{"registers", 40}, {"test", 0}}));
+  try {
+    complete_options(kind, traversal, {{"cap", 1.0}}, "/kernel");
+    FAIL() << "there is no such option";
+  } catch (const Refusal& refusal) {
+    EXPECT_EQ(refusal.code(), "unknown_option");
+    EXPECT_EQ(refusal.offences().front().pointer, "/kernel/cap");
+    EXPECT_EQ(refusal.known_names(), (std::vector<std::string>{"registers", "test"}));
+    EXPECT_NE(std::string(refusal.what()).find("bvh/while-while"), std::string::npos);
+  }
+}
+
+TEST(OptionValues, ChangedOnesAreShown) {
+  test::FakeDevice device;
+  const KindInfo& kind = device.kinds()[0];
+  const auto shown = [&](GivenOptions given) {
+    return changed_options(kind.options, complete_options(kind, given, ""));
+  };
+  EXPECT_EQ(shown({}), "");
+  EXPECT_EQ(shown({{"bins", 32.0}}), "");
+  EXPECT_EQ(shown({{"split", "middle"}, {"bins", 16.0}, {"cost", 1.25}}), " bins=16 cost=1.25 split=middle");
 }
 
 TEST(OptionValues, IdsNameOptionsThatAreNotTheDefault) {
@@ -97,6 +120,23 @@ TEST_F(StructuresTest, AFailedBuildIsTriedAgain) {
   EXPECT_EQ(code_of([&] { structures_.ready(scene_, "bvh", "/structure"); }), "structure_not_built");
   device_.fail_builds = false;
   EXPECT_EQ(structures_.build_and_wait(scene_, "bvh", {}).state, StructureRecord::State::ready);
+}
+
+TEST_F(StructuresTest, AFullDeviceIsToldWithBothFigures) {
+  device_.memory_is_full = true;
+  EXPECT_THROW(structures_.build_and_wait(scene_, "bvh", {}), OutOfDeviceMemory);
+  const std::string error = structures_.find("a.bvh").error;
+  EXPECT_NE(error.find("2000"), std::string::npos) << error;
+  EXPECT_NE(error.find("1000"), std::string::npos) << error;
+  device_.memory_is_full = false;
+  EXPECT_EQ(structures_.build_and_wait(scene_, "bvh", {}).state, StructureRecord::State::ready);
+}
+
+TEST_F(StructuresTest, ALostDeviceIsToldToTheQueue) {
+  device_.is_lost = true;
+  EXPECT_THROW(structures_.build_and_wait(scene_, "bvh", {}), DeviceLost);
+  EXPECT_EQ(queue_.lost(), "it fell off the bus");
+  EXPECT_THROW(structures_.build(scene_, "bvh", {}), DeviceLost);
 }
 
 TEST_F(StructuresTest, EvictionLeavesWhatIsInUse) {

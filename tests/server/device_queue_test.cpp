@@ -56,6 +56,24 @@ TEST(DeviceQueue, RethrowsAndGoesOn) {
   EXPECT_EQ(queue.run([](Device&) { return 3; }), 3);
 }
 
+TEST(DeviceQueue, TellsOnceThatTheDeviceIsLost) {
+  test::FakeDevice device;
+  int told = 0;
+  DeviceQueue queue(device, {.on_lost = [&](const std::string& cause) {
+                      ++told;
+                      EXPECT_EQ(cause, "a fault");
+                    }});
+  EXPECT_FALSE(queue.lost());
+  EXPECT_THROW(queue.run([](Device&) { throw DeviceLost("a fault"); }), DeviceLost);
+  bool ran = false;
+  EXPECT_THROW(queue.run([&](Device&) { ran = true; }), DeviceLost);
+  EXPECT_THROW(queue.post([&](Device&) { ran = true; }), DeviceLost);
+  queue.tell_lost("another");
+  EXPECT_EQ(queue.lost(), "a fault");
+  EXPECT_EQ(told, 1);
+  EXPECT_FALSE(ran);
+}
+
 TEST(DeviceQueue, MeasuresTheWait) {
   test::FakeDevice device;
   DeviceQueue queue(device);

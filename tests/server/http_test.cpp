@@ -39,6 +39,28 @@ TEST(Problem, OfABusyDeviceMayBeTriedAgain) {
   EXPECT_EQ(problem_response(p, "", "").headers.count("Retry-After"), 1u);
 }
 
+TEST(Problem, OfAFullDeviceHasBothFiguresAndIsNotTriedAgain) {
+  const Problem p = problem_of([] { throw OutOfDeviceMemory(2000, 1000); });
+  const Response response = problem_response(p, "/v1/frames", "r1");
+  EXPECT_EQ(response.status, 503);
+  EXPECT_FALSE(response.headers.contains("Retry-After"));
+  const Json json = Json::parse(response.body);
+  EXPECT_EQ(json.at("code"), "out_of_device_memory");
+  EXPECT_EQ(json.at("needed_bytes"), 2000);
+  EXPECT_EQ(json.at("free_bytes"), 1000);
+  EXPECT_EQ(json.at("retryable"), false);
+}
+
+TEST(Problem, OfALostDeviceNamesTheCauseAndMayBeTriedAgain) {
+  const Problem p = problem_of([] { throw DeviceLost("cuLaunchKernel: illegal address"); });
+  const Json json = to_json(p, "/v1/frames", "r1");
+  EXPECT_EQ(json.at("status"), 503);
+  EXPECT_EQ(json.at("code"), "device_lost");
+  EXPECT_EQ(json.at("retryable"), true);
+  EXPECT_NE(json.at("detail").get<std::string>().find("illegal address"), std::string::npos);
+  EXPECT_FALSE(json.contains("needed_bytes"));
+}
+
 TEST(Problem, HidesInternalCauses) {
   const Problem p = problem_of([] { throw std::runtime_error("/secret/path"); });
   EXPECT_EQ(p.status, 500);
