@@ -48,6 +48,7 @@ TEST(KernelOptions, ValuesReachTheKernel) {
   EXPECT_EQ(spec.block, 256u);
   EXPECT_EQ(spec.stack_entries, 9u);
   EXPECT_EQ(spec.intersector, "Watertight");
+  EXPECT_EQ(kernel_spec(type, {{"intersector", 1}}, Program::trace, Mode::primary, 0).intersector, "MoellerTrumbore");
 }
 
 TEST(KernelOptions, ValuesOutOfRangeAreRefused) {

@@ -7,34 +7,18 @@
 namespace raywalk::cuda {
 namespace {
 
-/// What a traversal runs best with.
-struct Tuning {
-  std::string_view type;
-  u32 block, registers, stack_entries;
-};
-constexpr Tuning kPlain{"", 128, 0, 4};
-constexpr std::array kTunings = {
-    Tuning{"Brute", 128, 0, 4},
-    Tuning{"GridDda", 128, 0, 4},
-    Tuning{"KdtreeShortStack3", 128, 0, 4},
-    Tuning{"KdtreeShortStack2", 128, 0, 4},
-    Tuning{"BvhPacket", 64, 0, 4},
-    Tuning{"BvhWhileWhile", 128, 0, 4},
-};
+// What all traversals run best with, or within 2 % of it (H100; tests/gpu/RESULTS.md): left alone, the compiler takes
+// fewer registers than it could for some, and more than leave room for enough threads for others.
+constexpr u32 kBlock = 128, kRegisters = 64, kStackEntries = 4;
 
 /// Ray-triangle tests: their names on the wire, and the types that kernels know them by.
 struct Intersector {
   std::string_view name, type;
 };
-constexpr std::array kIntersectors = {Intersector{"watertight", "Watertight"}};
+constexpr std::array kIntersectors = {Intersector{"watertight", "Watertight"},
+                                      Intersector{"moeller-trumbore", "MoellerTrumbore"}};
 
 constexpr u32 kWarp = 32, kMaxBlock = 512;
-
-const Tuning& tuning_of(const TraversalType& type) {
-  const auto found =
-      std::find_if(kTunings.begin(), kTunings.end(), [&](const Tuning& t) { return t.type == type.type; });
-  return found == kTunings.end() ? kPlain : *found;
-}
 
 bool has_short_stack(const TraversalType& type) {
   return type.traversal.starts_with("short-stack");
@@ -49,16 +33,15 @@ const TraversalType& traversal_type(const std::string& structure, const std::str
 }
 
 std::vector<Option> kernel_options(const TraversalType& type) {
-  const Tuning& tuning = tuning_of(type);
   std::vector<Option> options = {{.name = "registers",
                                   .help = "most registers a thread; 0 leaves it to the compiler",
-                                  .default_value = static_cast<double>(tuning.registers),
+                                  .default_value = kRegisters,
                                   .max = 255,
                                   .integer = true}};
   if (type.group <= kWarp) {
     options.push_back({.name = "block",
                        .help = "threads a block, a multiple of 32",
-                       .default_value = static_cast<double>(tuning.block),
+                       .default_value = kBlock,
                        .min = kWarp,
                        .max = kMaxBlock,
                        .integer = true});
@@ -66,7 +49,7 @@ std::vector<Option> kernel_options(const TraversalType& type) {
   if (has_short_stack(type)) {
     options.push_back({.name = "stack_entries",
                        .help = "entries of the short stack",
-                       .default_value = static_cast<double>(tuning.stack_entries),
+                       .default_value = kStackEntries,
                        .min = 1,
                        .max = 16,
                        .integer = true});
@@ -94,7 +77,7 @@ KernelSpec kernel_spec(const TraversalType& type, const OptionValues& given, Pro
   if (spec.block % kWarp != 0)
     throw std::invalid_argument(name + " option block: " + std::to_string(spec.block) + " is not a multiple of 32");
   spec.registers = value("registers", 0);
-  spec.stack_entries = value("stack_entries", kPlain.stack_entries);
+  spec.stack_entries = value("stack_entries", kStackEntries);
   if (program != Program::trace) {
     spec.mode = mode;
     spec.features = mode == Mode::whitted ? features : features & ~u32{kFeatureReflection | kFeatureRefraction};
