@@ -41,6 +41,7 @@ std::filesystem::path default_scenes_dir() {
 FlagsOrExit parse_flags(int argc, char** argv) {
   Flags flags;
   CLI::App app("Keeps ray-tracing structures resident on one device and serves frames and benchmarks over HTTP.");
+  app.option_defaults()->take_last();  // a script's defaults may stand before the flags of its caller
   app.set_version_flag("--version", std::string("raywalkd ") + build_info::kVersion);
   app.add_option("--host", flags.host, "Loopback address to listen on.")->capture_default_str();
   app.add_option("--port", flags.port, "Port; 0 takes any free one.")

@@ -60,6 +60,13 @@ TEST_F(ResidencyTest, ABlobIsUploadedOnceHoweverManyAskForIt) {
   EXPECT_EQ(residency_->resident_bytes(), 1000u);
 }
 
+TEST_F(ResidencyTest, AnEmptyBlobHasAnAddressToo) {
+  open(0);
+  const Residency::Held held = residency_->hold(residency_->copy_of(std::make_shared<const Blob>(Blob(0))));
+  EXPECT_NE(held.address(), 0u);
+  EXPECT_EQ(uploads(), 0u);
+}
+
 TEST_F(ResidencyTest, ACopyEndsWithItsLastPointerOnAnyThread) {
   open(0);
   auto copy = residency_->copy_of(blob_of(kMiB, 1));

@@ -14,12 +14,14 @@ std::string program_file(Program program) {
   return "kernels/gpu/" + std::string(name_of(program)) + ".cu";
 }
 
+constexpr int kFirstWithCache = 13;  // version of NVRTC
+
 /// No contraction and no fast mathematics: results are the CPU's, bit for bit.
-std::vector<std::string> options_of(const KernelSpec& spec, const std::string& architecture) {
+std::vector<std::string> options_of(const NvrtcApi& nvrtc, const KernelSpec& spec, const std::string& architecture) {
   const auto number = [](const char* name, u32 value) {
     return "-D" + std::string(name) + '=' + std::to_string(value);
   };
-  return {
+  std::vector<std::string> options = {
       "-default-device",
       "-std=c++20",
       "--fmad=false",
@@ -36,6 +38,9 @@ std::vector<std::string> options_of(const KernelSpec& spec, const std::string& a
       number("RW_STACK_ENTRIES", spec.stack_entries) + 'u',
       number("RW_REGISTERS", spec.registers),
   };
+  // A kernel out of NVRTC's own cache comes without the assembler's log.
+  if (nvrtc.major >= kFirstWithCache) options.push_back("--no-cache");
+  return options;
 }
 
 /// The source of one program with all headers.
@@ -129,7 +134,7 @@ Compiler::~Compiler() = default;
 Compiled Compiler::compile(const KernelSpec& spec) const {
   const std::string file = program_file(spec.program);
   const Sources sources = sources_of(file);
-  const std::vector<std::string> options = options_of(spec, architecture_);
+  const std::vector<std::string> options = options_of(*nvrtc_, spec, architecture_);
   const std::string key = key_of(*nvrtc_, sources, options);
   if (std::optional<Compiled> kept = cache_->load(key)) return std::move(*kept);
 

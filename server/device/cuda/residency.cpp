@@ -22,9 +22,11 @@ Residency::Held Residency::hold(const std::shared_ptr<Copy>& copy) {
   const std::scoped_lock lock(mutex_);
   if (!copy->memory_) {
     const Blob& blob = copy->blob();
-    DeviceBuffer memory = allocate(blob.size_bytes());
-    RW_CUDA(context_->driver(), cuMemcpyHtoDAsync, memory.address(), blob.data(), blob.size_bytes(), stream_->get());
-    stream_->synchronize();
+    DeviceBuffer memory = allocate(std::max<u64>(blob.size_bytes(), 1));  // brute's blob is empty
+    if (blob.size_bytes() > 0) {
+      RW_CUDA(context_->driver(), cuMemcpyHtoDAsync, memory.address(), blob.data(), blob.size_bytes(), stream_->get());
+      stream_->synchronize();
+    }
     copy->memory_ = std::move(memory);
   }
   copy->last_use_ = ++uses_;
