@@ -3,10 +3,13 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
+#include "server/image/jpeg_strips.h"
 #include "server/image/viewable.h"
 
 namespace raywalk {
@@ -23,17 +26,30 @@ std::string write_image(const char* file_name, OIIO::ImageSpec spec, OIIO::TypeD
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-std::string write_viewable(const Frame& frame, Output output, bool jpeg) {
+OIIO::ImageSpec eight_bit(const Frame& frame, u32 rows) {
+  return {static_cast<int>(frame.width), static_cast<int>(rows), 3, OIIO::TypeDesc::UINT8};
+}
+
+/// Strips in parallel: one thread alone takes longer to encode a preview than a GPU to render it.
+std::string write_jpeg(const Frame& frame, Output output) {
   const std::vector<u8> bytes = viewable(frame, output);
-  OIIO::ImageSpec spec(static_cast<int>(frame.width), static_cast<int>(frame.height), 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  if (jpeg) {
+  std::vector<std::string> strips((frame.height + kJpegStripRows - 1) / kJpegStripRows);
+  tbb::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t i) {
+    const u32 first = static_cast<u32>(i) * kJpegStripRows;
+    OIIO::ImageSpec spec = eight_bit(frame, std::min(kJpegStripRows, frame.height - first));
     spec.attribute("compression", "jpeg:90");
     spec.attribute("jpeg:subsampling", "4:2:0");
-  } else {
-    spec.attribute("png:compressionLevel", 1);
-  }
-  return write_image(jpeg ? "frame.jpg" : "frame.png", std::move(spec), OIIO::TypeDesc::UINT8, bytes.data());
+    const u8* rows = bytes.data() + std::size_t{3} * frame.width * first;
+    strips[i] = write_image("frame.jpg", std::move(spec), OIIO::TypeDesc::UINT8, rows);
+  });
+  return strips.size() == 1 ? std::move(strips[0]) : join_jpeg_strips(strips, frame.height);
+}
+
+std::string write_png(const Frame& frame, Output output) {
+  OIIO::ImageSpec spec = eight_bit(frame, frame.height);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  spec.attribute("png:compressionLevel", 1);
+  return write_image("frame.png", std::move(spec), OIIO::TypeDesc::UINT8, viewable(frame, output).data());
 }
 
 std::string write_exr(const Frame& frame, Output output) {
@@ -51,8 +67,9 @@ std::string write_exr(const Frame& frame, Output output) {
 std::string encode(const Frame& frame, Output output, ImageFormat format) {
   switch (format) {
     case ImageFormat::jpeg:
+      return write_jpeg(frame, output);
     case ImageFormat::png:
-      return write_viewable(frame, output, format == ImageFormat::jpeg);
+      return write_png(frame, output);
     case ImageFormat::exr:
       return write_exr(frame, output);
     case ImageFormat::raw:

@@ -190,3 +190,15 @@ def test_eviction_does_not_disturb_running_frames(daemon: Daemon) -> None:
         statuses = list(pool.map(one, range(60)))
     assert set(statuses) <= {200, 202, 409}
     assert daemon.client.get("/livez").status_code == 200
+
+
+@pytest.mark.parametrize(("width", "height"), [(64, 64), (100, 65), (333, 257), (17, 640)])
+def test_jpeg_of_many_strips_is_the_image(daemon: Daemon, soup: str, width: int, height: int) -> None:
+    size = {"width": width, "height": height}
+    jpeg, png = (daemon.frame(soup, "bvh", "while-while", accept, **size) for accept in ("image/jpeg", "image/png"))
+    lossy, exact = (np.asarray(Image.open(io.BytesIO(image.content)), dtype=float) for image in (jpeg, png))
+    assert lossy.shape == exact.shape == (height, width, 3)
+    # By rows of blocks: a strip out of place would stand out.
+    for row in range(0, height, 16):
+        luma = [rows[row : row + 16] @ (0.299, 0.587, 0.114) for rows in (lossy, exact)]
+        assert np.sqrt(np.mean((luma[0] - luma[1]) ** 2)) < 8, row

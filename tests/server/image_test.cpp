@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "server/image/encode.h"
+#include "server/image/jpeg_strips.h"
 #include "server/image/srgb.h"
 #include "server/image/viewable.h"
 
@@ -71,6 +72,29 @@ TEST(Encode, EveryFormatHasItsMagic) {
   const std::string raw = encode(frame, Output::color, ImageFormat::raw);
   ASSERT_EQ(raw.size(), frame.pixels.size() * sizeof(float));
   EXPECT_EQ(std::memcmp(raw.data(), frame.pixels.data(), raw.size()), 0);
+}
+
+TEST(JpegStrips, BecomeRestartIntervalsOfOneImage) {
+  const Frame tall{40, 3 * kJpegStripRows + 5, 3, std::vector<float>(std::size_t{40} * 197 * 3, 0.25f), 0, 0};
+  const std::string jpeg = encode(tall, Output::color, ImageFormat::jpeg);
+  const auto count = [&](const std::string& marker) {
+    std::size_t found = 0;
+    for (std::size_t at = jpeg.find(marker); at != std::string::npos; at = jpeg.find(marker, at + 2)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("\xff\xd8"), 1u);
+  EXPECT_EQ(count("\xff\xd9"), 1u);
+  // 40 pixels are 3 blocks of 16, a strip has 4 rows of them.
+  EXPECT_EQ(count(std::string("\xff\xdd\x00\x04\x00\x0c", 6)), 1u);
+  for (const char* restart : {"\xff\xd0", "\xff\xd1", "\xff\xd2"}) EXPECT_EQ(count(restart), 1u);
+  EXPECT_EQ(count("\xff\xd3"), 0u);
+}
+
+TEST(JpegStrips, WhatIsNoJpegIsRefused) {
+  const std::string whole = encode({16, 16, 3, std::vector<float>(768, 0.5f), 0, 0}, Output::color, ImageFormat::jpeg);
+  EXPECT_THROW(join_jpeg_strips({"", ""}, 80), std::runtime_error);
+  EXPECT_THROW(join_jpeg_strips({whole.substr(0, 40), whole}, 80), std::runtime_error);
+  EXPECT_THROW(join_jpeg_strips({whole, whole.substr(2)}, 80), std::runtime_error);
 }
 
 TEST(Encode, OnePixelAndFewChannels) {
