@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import tempfile
 from pathlib import Path
 
 from raywalk.errors import RaywalkError
@@ -39,8 +40,14 @@ def data_dir() -> Path:
 
 def kernel_cache_dir() -> Path:
     """Compiled GPU kernels, kept from one daemon of one's own to the next: they are found by their content."""
-    named = os.environ.get("XDG_CACHE_HOME")
-    return (Path(named) if named else Path.home() / ".cache") / "raywalk" / "kernels"
+    if named := os.environ.get("XDG_CACHE_HOME"):
+        root = Path(named)
+    else:
+        try:
+            root = Path.home() / ".cache"
+        except RuntimeError:  # a user without a home
+            root = Path(tempfile.gettempdir())
+    return root / "raywalk" / "kernels"
 
 
 def daemon_places() -> list[Path]:
