@@ -17,6 +17,7 @@ struct Option {
   double default_value = 0;
   double min = 0, max = 0;
   bool integer = false;
+  double step = 0;  // the value is a multiple of it; 0: any
   std::vector<std::string_view> choices = {};
 };
 

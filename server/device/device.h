@@ -130,6 +130,13 @@ class DeviceLost : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The device's compiler refuses a kernel with these options, such as one that needs more shared memory than a block
+/// has. The message is its log, the cause first.
+class KernelRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 class Device {
  public:
   virtual ~Device() = default;

@@ -211,8 +211,8 @@ CpuKind embree_kind() {
                 {"loop-8", "bare loop over coherent rtcIntersect8, ray generation included", loop_8}};
   kind.counts_work = false;
   kind.info.options = {
-      {"robust", "watertight at the cost of speed", 0, 0, 0, true, {"off", "on"}},
-      {"quality", "build quality", 0, 0, 0, true, {"medium", "high"}},
+      {.name = "robust", .help = "watertight at the cost of speed", .choices = {"off", "on"}},
+      {.name = "quality", .help = "build quality", .choices = {"medium", "high"}},
   };
   kind.info.traversals = {{"intersect", std::string(intersect.help)}};
   for (const BareLoop& loop : kind.loops)
