@@ -15,14 +15,13 @@ namespace raywalk {
 /// N lanes, of which this thread holds kLocal: write `for (u32 i = 0; i < kLocal; ++i)` around whatever a lane does.
 /// The collectives take kLocal values a thread and give every thread the same answer. All lanes of the group call them
 /// together, and they order accesses to the group's shared storage before and after.
-/// On the GPU a group is a warp, or a whole block if it is larger.
+/// On the GPU a group is a warp.
 template <u32 N>
 struct Lanes {
   static constexpr u32 kCount = N;
 
 #if RW_GPU
-  static_assert(N == 32 || N == RW_BLOCK, "a group is a warp or the block");
-  static constexpr bool kWarp = N == 32;
+  static_assert(N == 32, "a group is a warp");
   static constexpr u32 kLocal = 1;
   static constexpr u32 kGroups = RW_BLOCK / N;  // in a block
 
@@ -35,28 +34,13 @@ struct Lanes {
     return threadIdx.x % N == 0;
   }
   RW_FN static void barrier() {
-    if (kWarp) {
-      __syncwarp();
-    } else {
-      __syncthreads();
-    }
+    __syncwarp();
   }
   RW_FN static bool any(const bool* flags) {
-    return (kWarp ? __any_sync(~0u, flags[0]) : __syncthreads_or(flags[0])) != 0;
+    return __any_sync(~0u, flags[0]) != 0;
   }
   RW_FN static u32 sum(const u32* values) {
-    const u32 of_warp = __reduce_add_sync(~0u, values[0]);
-    if constexpr (kWarp) {
-      return of_warp;
-    } else {
-      RW_SHARED u32 of_warps[N / 32];
-      if (threadIdx.x % 32 == 0) of_warps[threadIdx.x / 32] = of_warp;
-      __syncthreads();
-      u32 all = 0;
-      for (u32 i = 0; i < N / 32; ++i) all += of_warps[i];
-      __syncthreads();  // before the next use of of_warps
-      return all;
-    }
+    return __reduce_add_sync(~0u, values[0]);
   }
 #else
   static constexpr u32 kLocal = N;

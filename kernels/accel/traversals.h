@@ -12,9 +12,9 @@
   X(Brute, brute, "brute", "loop", 1, "every triangle for every ray: the oracle")                            \
   X(GridDda, grid::dda, "grid", "dda", 1, "cell by cell (Amanatides and Woo 1987), t from the cell index")   \
   X(KdtreeShortStack3, kdtree::short_stack_3, "kdtree", "short-stack-3", 1,                                  \
-    "push-down, four-entry stack of (mint, maxt, node), restart (Horn et al. 2007)")                         \
+    "push-down, short stack of (mint, maxt, node), restart (Horn et al. 2007)")                              \
   X(KdtreeShortStack2, kdtree::short_stack_2, "kdtree", "short-stack-2", 1,                                  \
-    "push-down, four-entry stack of (maxt, node), restart (Zlatuska and Havran 2010)")                       \
+    "push-down, short stack of (maxt, node), restart (Zlatuska and Havran 2010)")                            \
   X(BvhPacket, bvh::packet, "bvh", "packet", 32, "8x4 rays share one stack and vote (Guenther et al. 2007)") \
   X(BvhWhileWhile, bvh::while_while, "bvh", "while-while", 1,                                                \
     "each ray for itself, near child first (Aila and Laine 2009)")

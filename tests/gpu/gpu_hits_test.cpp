@@ -132,8 +132,7 @@ TEST_F(GpuHits, OptionsOfTheKernelChangeNoHit) {
     FrameJob asked = on(gpu(), scene, type, Mode::primary);
     PrimaryHits expected;
     gpu().trace_primary(asked, expected);
-    std::vector<OptionValues> variants{{{"registers", 32}}};
-    if (type.group <= 32) variants.insert(variants.end(), {{{"block", 32}}, {{"block", 512}}});
+    std::vector<OptionValues> variants{{{"registers", 32}}, {{"block", 32}}, {{"block", 512}}};
     if (type.structure == "kdtree") variants.insert(variants.end(), {{{"stack_entries", 1}}, {{"stack_entries", 16}}});
     for (const OptionValues& options : variants) {
       asked.kernel = options;

@@ -34,12 +34,6 @@ TEST(KernelOptions, DefaultsAreAKernelThatCanRun) {
   }
 }
 
-TEST(KernelOptions, AGroupLargerThanAWarpIsTheBlock) {
-  const TraversalType group{"BvhPacket", "bvh", "packet", "64 rays together", 64};
-  EXPECT_EQ(names_of(group), (std::vector<std::string>{"registers", "intersector"}));
-  EXPECT_EQ(kernel_spec(group, {}, Program::frame, Mode::primary, 0).block, 64u);
-}
-
 TEST(KernelOptions, ValuesReachTheKernel) {
   const TraversalType& type = traversal_type("kdtree", "short-stack-3");
   const OptionValues given{{"registers", 48}, {"block", 256}, {"stack_entries", 9}, {"intersector", 0}};
@@ -57,6 +51,8 @@ TEST(KernelOptions, ValuesOutOfRangeAreRefused) {
     EXPECT_THROW(kernel_spec(type, given, Program::frame, Mode::primary, 0), std::invalid_argument);
   };
   refused(single, {{"registers", 256}});
+  refused(single, {{"registers", 23}});
+  refused(single, {{"registers", 1}});
   refused(single, {{"registers", 40.5}});
   refused(single, {{"block", 0}});
   refused(single, {{"block", 100}});
@@ -65,6 +61,22 @@ TEST(KernelOptions, ValuesOutOfRangeAreRefused) {
   refused(single, {{"intersector", 99}});
   refused(traversal_type("bvh", "packet"), {{"block", 16}});
   refused(traversal_type("kdtree", "short-stack-2"), {{"stack_entries", 17}});
+}
+
+TEST(KernelOptions, ACapOfRegistersIsOneThatTheAssemblerKeeps) {
+  const TraversalType& type = traversal_type("bvh", "while-while");
+  const auto registers = [&](u32 cap) {
+    return kernel_spec(type, {{"registers", cap}}, Program::frame, Mode::primary, 0).registers;
+  };
+  for (const u32 cap : {0u, 24u, 255u}) EXPECT_EQ(registers(cap), cap);
+  try {
+    registers(23);
+    FAIL() << "no exception";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_STREQ(e.what(),
+                 "bvh/while-while option registers: 23 is neither 0 nor 24 to 255, which is what the "
+                 "assembler can do");
+  }
 }
 
 TEST(KernelOptions, FeaturesThatCannotMatterShareAKernel) {

@@ -2,12 +2,12 @@
 #pragma once
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "server/device/cuda/kernel_spec.h"
 #include "server/device/cuda/library.h"
+#include "server/device/device.h"
 
 namespace raywalk::cuda {
 
@@ -15,9 +15,9 @@ class CubinCache;
 struct NvrtcApi;
 
 /// The compiler refused the sources or the options; `what` holds its log.
-class CompileError : public std::runtime_error {
+class CompileError : public KernelRefused {
  public:
-  using std::runtime_error::runtime_error;
+  using KernelRefused::KernelRefused;
 };
 
 /// What the assembler says of one entry point.

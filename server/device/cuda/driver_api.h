@@ -39,7 +39,6 @@
   X(cuModuleUnload, "cuModuleUnload", CUmodule module)                                                               \
   X(cuModuleGetFunction, "cuModuleGetFunction", CUfunction* function, CUmodule module, const char* name)             \
   X(cuFuncGetAttribute, "cuFuncGetAttribute", int* value, CUfunction_attribute attribute, CUfunction function)       \
-  X(cuFuncSetAttribute, "cuFuncSetAttribute", CUfunction function, CUfunction_attribute attribute, int value)        \
   X(cuLaunchKernel, "cuLaunchKernel", CUfunction function, unsigned grid_x, unsigned grid_y, unsigned grid_z,        \
     unsigned block_x, unsigned block_y, unsigned block_z, unsigned shared_bytes, CUstream stream, void** parameters, \
     void** extra)                                                                                                    \

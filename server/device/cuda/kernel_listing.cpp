@@ -60,6 +60,8 @@ std::vector<KernelSpec> representative_kernels() {
       }
     }
     specs.push_back(kernel_spec(type, {}, Program::trace, Mode::primary, 0));
+    if (type.type == "BvhWhileWhile")
+      specs.push_back(kernel_spec(type, {{"intersector", 1}}, Program::trace, Mode::primary, 0));
     specs.push_back(kernel_spec(type, {}, Program::count, Mode::whitted, kAllFeatures));
   }
   return specs;
@@ -71,10 +73,11 @@ std::vector<ListedKernel> list_kernels(const std::shared_ptr<const NvrtcApi>& nv
   check_architectures(*nvrtc, architectures);
   const std::vector<KernelSpec> specs = representative_kernels();
   std::vector<std::vector<EntryReport>> reports(architectures.size() * specs.size());
-  in_parallel(reports.size(), [&](size_t i) {
-    const Compiler compiler(nvrtc, architectures[i / specs.size()], cache_dir);
-    reports[i] = compiler.compile(specs[i % specs.size()]).entries;
-  });
+  std::vector<std::unique_ptr<const Compiler>> compilers;  // a cache that cannot be written says so once each
+  for (const std::string& name : architectures)
+    compilers.push_back(std::make_unique<const Compiler>(nvrtc, name, cache_dir));
+  in_parallel(reports.size(),
+              [&](size_t i) { reports[i] = compilers[i / specs.size()]->compile(specs[i % specs.size()]).entries; });
 
   std::vector<ListedKernel> rows;
   for (size_t i = 0; i < reports.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace raywalk::cuda {
 
 /// Every traversal with every program and mode, with the fewest and with all features, as requests without options run
-/// them.
+/// them; and one with the other ray-triangle test.
 std::vector<KernelSpec> representative_kernels();
 
 struct ListedKernel {

@@ -19,6 +19,7 @@ constexpr std::array kIntersectors = {Intersector{"watertight", "Watertight"},
                                       Intersector{"moeller-trumbore", "MoellerTrumbore"}};
 
 constexpr u32 kWarp = 32, kMaxBlock = 512;
+constexpr u32 kFewestRegisters = 24;  // the assembler silently raises a lower cap to it
 
 bool has_short_stack(const TraversalType& type) {
   return type.traversal.starts_with("short-stack");
@@ -34,18 +35,17 @@ const TraversalType& traversal_type(const std::string& structure, const std::str
 
 std::vector<Option> kernel_options(const TraversalType& type) {
   std::vector<Option> options = {{.name = "registers",
-                                  .help = "most registers a thread; 0 leaves it to the compiler",
+                                  .help = "most registers a thread, 24 to 255; 0 leaves it to the compiler",
                                   .default_value = kRegisters,
                                   .max = 255,
-                                  .integer = true}};
-  if (type.group <= kWarp) {
-    options.push_back({.name = "block",
-                       .help = "threads a block, a multiple of 32",
-                       .default_value = kBlock,
-                       .min = kWarp,
-                       .max = kMaxBlock,
-                       .integer = true});
-  }
+                                  .integer = true},
+                                 {.name = "block",
+                                  .help = "threads a block, a multiple of 32",
+                                  .default_value = kBlock,
+                                  .min = kWarp,
+                                  .max = kMaxBlock,
+                                  .integer = true,
+                                  .step = kWarp}};
   if (has_short_stack(type)) {
     options.push_back({.name = "stack_entries",
                        .help = "entries of the short stack",
@@ -73,10 +73,12 @@ KernelSpec kernel_spec(const TraversalType& type, const OptionValues& given, Pro
   spec.program = program;
   spec.traversal = type.type;
   spec.intersector = kIntersectors[value("intersector", 0)].type;
-  spec.block = value("block", type.group);
-  if (spec.block % kWarp != 0)
-    throw std::invalid_argument(name + " option block: " + std::to_string(spec.block) + " is not a multiple of 32");
-  spec.registers = value("registers", 0);
+  spec.block = value("block", kBlock);
+  spec.registers = value("registers", kRegisters);
+  if (spec.registers != 0 && spec.registers < kFewestRegisters) {
+    throw std::invalid_argument(name + " option registers: " + std::to_string(spec.registers) + " is neither 0 nor " +
+                                std::to_string(kFewestRegisters) + " to 255, which is what the assembler can do");
+  }
   spec.stack_entries = value("stack_entries", kStackEntries);
   if (program != Program::trace) {
     spec.mode = mode;

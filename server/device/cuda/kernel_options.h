@@ -9,8 +9,7 @@ namespace raywalk::cuda {
 /// Throws std::invalid_argument when there is none.
 const TraversalType& traversal_type(const std::string& structure, const std::string& traversal);
 
-/// registers, block (unless a group of rays is more than a warp, and so the block), stack_entries (of a short stack),
-/// intersector.
+/// registers, block, stack_entries (of a short stack), intersector.
 std::vector<Option> kernel_options(const TraversalType& type);
 
 /// The kernel for a scene that needs `features`. Features that cannot matter are left out, so that requests share

@@ -8,8 +8,8 @@
 namespace raywalk::cuda {
 
 using nvmlDevice_t = struct nvmlDevice_st*;
-enum nvmlReturn_t : int { NVML_SUCCESS = 0, NVML_ERROR_NOT_SUPPORTED = 3 };
-enum nvmlClockType_t : int { NVML_CLOCK_GRAPHICS = 0, NVML_CLOCK_SM = 1, NVML_CLOCK_MEM = 2 };
+enum nvmlReturn_t : int { NVML_SUCCESS = 0 };
+enum nvmlClockType_t : int { NVML_CLOCK_SM = 1, NVML_CLOCK_MEM = 2 };
 enum nvmlTemperatureSensors_t : int { NVML_TEMPERATURE_GPU = 0 };
 
 /// Bits of nvmlDeviceGetCurrentClocksThrottleReasons.

@@ -2,6 +2,7 @@
 // that Raywalk makes. Device memory is host memory, copies copy, modules take any bytes, launches do nothing.
 //   FAKE_CUDA_VERSION        of the driver, as cuDriverGetVersion tells it (default 13000)
 //   FAKE_CUDA_DEVICES        how many there are (default 1)
+//   FAKE_CUDA_CAPABILITY     of the devices: 10 * major + minor (default 90)
 //   FAKE_CUDA_MEMORY_BYTES   of the device (default 1 GiB)
 //   FAKE_CUDA_FAIL_LAUNCH    number of the launch that fails, from 1; every call after it fails too (default none)
 #include <chrono>
@@ -79,48 +80,19 @@ u8* bytes_at(CUdeviceptr place) {
   return reinterpret_cast<u8*>(place);
 }
 
-/// Figures of an H100.
+/// Figures of an H100, where nothing else is asked for.
 int attribute_value(CUdevice_attribute attribute) {
   switch (attribute) {
-    case CU_DEVICE_ATTRIBUTE_MAX_THREADS_PER_BLOCK:
-      return 1024;
-    case CU_DEVICE_ATTRIBUTE_MAX_SHARED_MEMORY_PER_BLOCK:
-      return 48 << 10;
-    case CU_DEVICE_ATTRIBUTE_CLOCK_RATE:
-      return 1980000;
     case CU_DEVICE_ATTRIBUTE_MULTIPROCESSOR_COUNT:
       return 132;
     case CU_DEVICE_ATTRIBUTE_PCI_BUS_ID:
       return 1;
-    case CU_DEVICE_ATTRIBUTE_MEMORY_CLOCK_RATE:
-      return 2619000;
-    case CU_DEVICE_ATTRIBUTE_GLOBAL_MEMORY_BUS_WIDTH:
-      return 5120;
-    case CU_DEVICE_ATTRIBUTE_L2_CACHE_SIZE:
-      return 50 << 20;
     case CU_DEVICE_ATTRIBUTE_MAX_THREADS_PER_MULTIPROCESSOR:
       return 2048;
     case CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MAJOR:
-      return 9;
-    case CU_DEVICE_ATTRIBUTE_MAX_SHARED_MEMORY_PER_MULTIPROCESSOR:
-      return 228 << 10;
-    case CU_DEVICE_ATTRIBUTE_MAX_REGISTERS_PER_MULTIPROCESSOR:
-      return 64 << 10;
-    case CU_DEVICE_ATTRIBUTE_MAX_SHARED_MEMORY_PER_BLOCK_OPTIN:
-      return 227 << 10;
-    default:
-      return 0;
-  }
-}
-
-int attribute_value(CUfunction_attribute attribute) {
-  switch (attribute) {
-    case CU_FUNC_ATTRIBUTE_MAX_THREADS_PER_BLOCK:
-      return 1024;
-    case CU_FUNC_ATTRIBUTE_NUM_REGS:
-      return 40;
-    case CU_FUNC_ATTRIBUTE_BINARY_VERSION:
-      return 90;
+      return static_cast<int>(setting("FAKE_CUDA_CAPABILITY", 90) / 10);
+    case CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MINOR:
+      return static_cast<int>(setting("FAKE_CUDA_CAPABILITY", 90) % 10);
     default:
       return 0;
   }
@@ -359,12 +331,8 @@ CUresult cuModuleGetFunction(CUfunction* function, CUmodule module, const char*)
 
 CUresult cuFuncGetAttribute(int* value, CUfunction_attribute attribute, CUfunction) {
   const Call call;
-  *value = attribute_value(attribute);
+  *value = attribute == CU_FUNC_ATTRIBUTE_NUM_REGS ? 40 : 0;
   return call.result;
-}
-
-CUresult cuFuncSetAttribute(CUfunction, CUfunction_attribute, int) {
-  return Call().result;
 }
 
 #ifndef FAKE_CUDA_INCOMPLETE
