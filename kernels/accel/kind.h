@@ -48,8 +48,8 @@ struct Kind {
   BuiltStructure (*build)(SceneView scene, const OptionValues& options);
 };
 
-/// Fills in defaults. Throws std::invalid_argument that names the option when one is unknown, out of range or not
-/// whole.
+/// Fills in defaults. Throws std::invalid_argument that names the option when one is unknown, out of range, not whole
+/// or not a multiple of its step.
 OptionValues with_defaults(const Kind& kind, const OptionValues& given);
 
 /// All kinds of the kernels, in the order of the documentation.

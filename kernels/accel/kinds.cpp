@@ -21,6 +21,9 @@ void check(const Kind& kind, const Option& option, double value) {
   const bool whole = option.integer || !option.choices.empty();
   if (whole && value != std::floor(value))
     throw std::invalid_argument(where + ": " + std::to_string(value) + " is not a whole number");
+  if (option.step > 0 && std::fmod(value, option.step) != 0)
+    throw std::invalid_argument(where + ": " + std::to_string(value) + " is not a multiple of " +
+                                std::to_string(option.step));
 }
 
 }  // namespace

@@ -1,11 +1,18 @@
 // Domain values to and from the JSON of the contract.
 #pragma once
+#include <optional>
+
 #include "server/api/services.h"
 #include "server/http/message.h"
 
 namespace raywalk::api {
 
 using http::Json;
+
+template <class T>
+Json value_or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
 
 Json to_json(const SceneEntry& entry);
 Json to_json(const StructureRecord& record, const std::vector<KindInfo>& kinds);
@@ -28,7 +35,6 @@ struct KeptProblem {
 Json error_json(const Job& job);
 
 const char* state_name(JobState state);
-const char* mode_name(BenchMode mode);
 
 Json to_json(const GivenOptions& options);
 GivenOptions parse_options(const Json& json);

@@ -16,11 +16,6 @@ Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
-template <class T>
-Json value_or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 }  // namespace
 
 const char* state_name(JobState state) {
@@ -53,20 +48,6 @@ Json error_json(const Job& job) {
     http::Problem problem = http::problem_of_current_exception(job.id);
     return http::to_json(problem, "/v1/jobs/" + job.id, job.id);
   }
-}
-
-const char* mode_name(BenchMode mode) {
-  switch (mode) {
-    case BenchMode::trace:
-      return "trace";
-    case BenchMode::primary:
-      return "primary";
-    case BenchMode::shadow:
-      return "shadow";
-    case BenchMode::whitted:
-      return "whitted";
-  }
-  return "primary";
 }
 
 BenchmarkSpec parse_spec(const Json& json) {

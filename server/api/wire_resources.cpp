@@ -34,6 +34,7 @@ Json to_json(const Option& option) {
   json["minimum"] = option.min;
   json["maximum"] = option.max;
   json["integer"] = option.integer;
+  if (option.step > 0) json["step"] = option_json(option.step);
   return json;
 }
 

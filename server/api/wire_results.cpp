@@ -7,11 +7,6 @@
 namespace raywalk::api {
 namespace {
 
-template <class T>
-Json value_or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json to_json(const Statistics& s) {
   return {
       {"median", s.median},   {"mean", s.mean}, {"sd", s.sd},   {"mad", s.mad},           {"min", s.min},

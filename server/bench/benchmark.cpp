@@ -94,7 +94,7 @@ ResultRow make_row(const Subject& subject, const Session& session, std::size_t i
   const auto rays = static_cast<double>(counts.rays);
   row.rays_per_frame = rays / static_cast<double>(std::max<u64>(validation.error.frames, 1));
   row.mrays_per_s = mrays_per_s(row.rays_per_frame, row.frame_ms);
-  if (session.batched) {
+  if (session.batched && !session.batched->ms[index].empty()) {
     std::vector<double> medians;
     const Statistics frame_ms = summarise_launches(session.batched->ms[index], medians);
     row.throughput = {session.frames_per_launch, frame_ms, mrays_per_s(row.rays_per_frame, frame_ms)};
@@ -107,8 +107,8 @@ ResultRow make_row(const Subject& subject, const Session& session, std::size_t i
   return row;
 }
 
-std::vector<std::string> notes_on(const BenchmarkSpec& spec, const BenchmarkResult& result) {
-  std::vector<std::string> notes;
+std::vector<std::string> notes_on(const BenchmarkSpec& spec, const Session& session, const BenchmarkResult& result) {
+  std::vector<std::string> notes = session.notes;
   if (result.reached_time_limit) notes.push_back("Measuring stopped at the time limit; frames after it are missing.");
   if (spec.repeats == 1)
     notes.push_back("With one repeat the spread over repeats is unknown and nothing is called unstable.");
@@ -123,6 +123,20 @@ std::vector<std::string> notes_on(const BenchmarkSpec& spec, const BenchmarkResu
 }
 
 }  // namespace
+
+const char* mode_name(BenchMode mode) {
+  switch (mode) {
+    case BenchMode::trace:
+      return "trace";
+    case BenchMode::primary:
+      return "primary";
+    case BenchMode::shadow:
+      return "shadow";
+    case BenchMode::whitted:
+      return "whitted";
+  }
+  return "primary";
+}
 
 BenchmarkSpec checked(BenchmarkSpec spec, const Scenes& scenes, const std::vector<KindInfo>& kinds) {
   scenes.find(spec.scene, "/spec/scene");
@@ -169,7 +183,7 @@ BenchmarkResult run_benchmark(const BenchmarkSpec& spec, const Workplace& place,
     result.rows.push_back(make_row(subjects[i], session, i, std::move(validations[i])));
     if (listed.insert(subjects[i].structure.id).second) result.structures.push_back(subjects[i].structure);
   }
-  result.notes = notes_on(spec, result);
+  result.notes = notes_on(spec, session, result);
   return result;
 }
 

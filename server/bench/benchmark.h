@@ -16,6 +16,7 @@
 namespace raywalk {
 
 enum class BenchMode { trace, primary, shadow, whitted };
+const char* mode_name(BenchMode mode);
 
 struct TechniqueSpec {
   std::string structure;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "server/bench/subject.h"
@@ -17,11 +18,13 @@ struct SessionProgress {
 
 struct Session {
   Measurements single;
-  u32 frames_per_launch = 0;                          // of `batched`
-  std::optional<Measurements> batched;                // nothing where frames are taken one at a time
+  u32 frames_per_launch = 0;  // of `batched`
+  /// Nothing where frames are taken one at a time; no launches of a subject that has no room for two.
+  std::optional<Measurements> batched;
   std::vector<std::optional<KernelFigures>> kernels;  // of each subject
   std::optional<TelemetrySummary> telemetry;
-  u64 frames = 0;  // of all measurements, warm-up included
+  u64 frames = 0;                  // of all measurements, warm-up included
+  std::vector<std::string> notes;  // for people, such as why throughput is missing
 
   bool reached_time_limit() const { return single.reached_time_limit || (batched && batched->reached_time_limit); }
 };

@@ -45,6 +45,9 @@ double number(const Option& option, double value, const std::string& pointer) {
     refuse(option, pointer, "is from " + brief(option.min) + " to " + brief(option.max) + ".");
   }
   if (option.integer && std::floor(value) != value) refuse(option, pointer, "is a whole number.");
+  if (option.step > 0 && std::fmod(value, option.step) != 0) {
+    refuse(option, pointer, "is a multiple of " + brief(option.step) + ".");
+  }
   return value;
 }
 

@@ -4,10 +4,25 @@
 #include <spdlog/spdlog.h>
 
 #include <new>
+#include <sstream>
 
 #include "server/device/device_queue.h"
 
 namespace raywalk::http {
+namespace {
+
+/// The line of the compiler's log that names the cause: the first with an error, else the first of all.
+std::string cause_of(const KernelRefused& refused) {
+  std::istringstream log(refused.what());
+  std::string first, line;
+  std::getline(log, first);
+  while (std::getline(log, line)) {
+    if (line.find("error") != std::string::npos) return line;
+  }
+  return first;
+}
+
+}  // namespace
 
 int status_of(Refusal::Why why) {
   switch (why) {
@@ -101,6 +116,9 @@ Problem problem_of_current_exception(const std::string& request_id) {
     return problem;
   } catch (const DeviceLost& e) {
     return {503, "device_lost", std::string("The device is lost, and the daemon ends: ") + e.what()};
+  } catch (const KernelRefused& e) {
+    spdlog::warn("request={} needs a kernel that the compiler refuses: {}", request_id, e.what());
+    return {422, "kernel_refused", "The device's compiler refuses the kernel with these options: " + cause_of(e)};
   } catch (const std::bad_alloc&) {
     return {503, "out_of_memory", "The daemon has not enough memory for this."};
   } catch (const std::exception& e) {

@@ -51,15 +51,32 @@ TEST(OptionValues, OfKernelsAreCheckedAlike) {
   const KindInfo& kind = device.kinds()[0];
   const TraversalInfo& traversal = kind.traversals[0];
   const OptionValues values = complete_options(kind, traversal, {{"registers", 40.0}}, "/kernel");
-  EXPECT_EQ(values, (OptionValues{{"registers", 40}, {"test", 0}}));
+  EXPECT_EQ(values, (OptionValues{{"registers", 40}, {"test", 0}, {"block", 128}}));
   try {
     complete_options(kind, traversal, {{"cap", 1.0}}, "/kernel");
     FAIL() << "there is no such option";
   } catch (const Refusal& refusal) {
     EXPECT_EQ(refusal.code(), "unknown_option");
     EXPECT_EQ(refusal.offences().front().pointer, "/kernel/cap");
-    EXPECT_EQ(refusal.known_names(), (std::vector<std::string>{"registers", "test"}));
+    EXPECT_EQ(refusal.known_names(), (std::vector<std::string>{"registers", "test", "block"}));
     EXPECT_NE(std::string(refusal.what()).find("bvh/while-while"), std::string::npos);
+  }
+}
+
+TEST(OptionValues, AreMultiplesOfTheirStep) {
+  test::FakeDevice device;
+  const KindInfo& kind = device.kinds()[0];
+  const TraversalInfo& traversal = kind.traversals[0];
+  EXPECT_EQ(complete_options(kind, traversal, {{"block", 96.0}}, "").at("block"), 96);
+  for (const double block : {48.0, 100.0}) {
+    try {
+      complete_options(kind, traversal, {{"block", block}}, "/kernel");
+      FAIL() << block << " is no multiple of 32";
+    } catch (const Refusal& refusal) {
+      EXPECT_EQ(refusal.code(), "invalid_option");
+      EXPECT_EQ(refusal.offences().front().pointer, "/kernel/block");
+      EXPECT_NE(std::string(refusal.what()).find("multiple of 32"), std::string::npos);
+    }
   }
 }
 

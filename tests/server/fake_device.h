@@ -2,6 +2,8 @@
 #pragma once
 #include <atomic>
 #include <chrono>
+#include <map>
+#include <string>
 #include <thread>
 
 #include "server/device/device.h"
@@ -42,6 +44,7 @@ class FakeDevice : public Device {
   }
   u32 max_batch() const override { return 16; }
   double measure(std::span<const FrameJob> jobs, Work work) override {
+    if (jobs.size() > room_of(jobs.front().traversal)) throw OutOfDeviceMemory(2000, 1000);
     launches.push_back(jobs.size());
     kernels.push_back(jobs.front().kernel);
     const double frame_ms = work == Work::trace ? 1.0 : 2.0;
@@ -70,16 +73,23 @@ class FakeDevice : public Device {
   bool fail_builds = false;
   std::atomic<bool> memory_is_full{false}, is_lost{false};
   bool has_sensors = false;
-  u32 hit_id = 0;                        // of every ray
-  std::vector<std::size_t> launches;     // frames of each measurement
-  std::vector<OptionValues> kernels;     // options of each
-  mutable std::atomic<u32> readings{0};  // of the sensors
+  std::map<std::string, std::size_t> most_frames;  // of a launch that a traversal has memory for; absent: any number
+  u32 hit_id = 0;                                  // of every ray
+  std::vector<std::size_t> launches;               // frames of each measurement
+  std::vector<OptionValues> kernels;               // options of each
+  mutable std::atomic<u32> readings{0};            // of the sensors
 
  private:
+  std::size_t room_of(const std::string& traversal) const {
+    const auto limit = most_frames.find(traversal);
+    return limit == most_frames.end() ? max_batch() : limit->second;
+  }
+
   DeviceInfo info_{.name = "fake", .kind = "cpu"};
   std::vector<Option> kernel_options_ = {
       {.name = "registers", .help = "", .default_value = 0, .min = 0, .max = 255, .integer = true},
-      {.name = "test", .help = "", .max = 1, .choices = {"watertight", "moeller"}}};
+      {.name = "test", .help = "", .max = 1, .choices = {"watertight", "moeller"}},
+      {.name = "block", .help = "", .default_value = 128, .min = 32, .max = 512, .integer = true, .step = 32}};
   std::vector<KindInfo> kinds_ = {
       {"bvh",
        "",

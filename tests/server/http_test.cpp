@@ -61,6 +61,21 @@ TEST(Problem, OfALostDeviceNamesTheCauseAndMayBeTriedAgain) {
   EXPECT_FALSE(json.contains("needed_bytes"));
 }
 
+TEST(Problem, OfARefusedKernelNamesTheFirstErrorOfTheLog) {
+  const auto detail = [](const char* log) {
+    const Problem p = problem_of([&] { throw KernelRefused(log); });
+    EXPECT_EQ(p.status, 422);
+    EXPECT_EQ(p.code, "kernel_refused");
+    EXPECT_FALSE(p.retryable);
+    return p.detail;
+  };
+  const std::string beginning = "The device's compiler refuses the kernel with these options: ";
+  EXPECT_EQ(detail("It does not compile: NVRTC_ERROR_COMPILATION.\nptxas info : 0 bytes\nptxas error : too much shared "
+                   "data\nptxas fatal : no errors"),
+            beginning + "ptxas error : too much shared data");
+  EXPECT_EQ(detail("It does not compile."), beginning + "It does not compile.");
+}
+
 TEST(Problem, HidesInternalCauses) {
   const Problem p = problem_of([] { throw std::runtime_error("/secret/path"); });
   EXPECT_EQ(p.status, 500);

@@ -68,6 +68,39 @@ TEST_F(SessionTest, FewFramesAreOneLaunch) {
   EXPECT_EQ(measured({subject({"bvh", "while-while"})}).frames_per_launch, 5u);
 }
 
+TEST_F(SessionTest, LaunchesBecomeSmallerWhereMemoryEnds) {
+  device_.most_frames["pair"] = 5;
+  const Session session = measured({subject({"bvh", "while-while"}), subject({"bvh", "pair"})});
+  EXPECT_EQ(session.frames_per_launch, 4u) << "for both, so that they can be compared";
+  ASSERT_TRUE(session.batched);
+  EXPECT_EQ(session.batched->ms[0], std::vector<std::vector<double>>(5, {1.0}));
+  EXPECT_EQ(session.batched->ms[1], std::vector<std::vector<double>>(5, {1.0}));
+  EXPECT_EQ(session.single.ms[0].size(), 20u);
+  ASSERT_EQ(session.notes.size(), 1u);
+  EXPECT_NE(session.notes[0].find("4 frames a launch, not 16"), std::string::npos) << session.notes[0];
+}
+
+TEST_F(SessionTest, AThroughputThatHasNoMemoryIsLeftOut) {
+  device_.most_frames["while-while"] = 1;
+  const std::vector<Subject> subjects = {subject({"bvh", "while-while"}), subject({"bvh", "pair"})};
+  const Session session = measured(subjects);
+  ASSERT_TRUE(session.batched);
+  EXPECT_EQ(session.frames_per_launch, 2u);
+  EXPECT_TRUE(session.batched->ms[0].empty());
+  EXPECT_EQ(session.batched->ms[1], std::vector<std::vector<double>>(10, {1.0}));
+  EXPECT_EQ(session.single.ms[0], std::vector<std::vector<double>>(20, {2.0}));
+  ASSERT_EQ(session.notes.size(), 2u);
+  EXPECT_NE(session.notes[1].find("bvh/while-while in mode primary is missing"), std::string::npos) << session.notes[1];
+
+  device_.most_frames["pair"] = 1;
+  const Session none = measured(subjects);
+  EXPECT_FALSE(none.batched);
+  EXPECT_EQ(none.frames, 2u * 21);
+  EXPECT_EQ(none.single.ms[1], std::vector<std::vector<double>>(20, {2.0}));
+  EXPECT_EQ(none.kernels.size(), 2u);
+  EXPECT_EQ(none.notes.size(), 2u);
+}
+
 TEST_F(SessionTest, KernelOptionsReachTheDeviceAndTheNames) {
   const Subject capped = subject({"bvh", "while-while", {{"bins", 16.0}}, {{"registers", 40.0}}});
   const Subject plain = subject({"bvh", "while-while", {}, {{"registers", 0.0}}});
@@ -75,7 +108,7 @@ TEST_F(SessionTest, KernelOptionsReachTheDeviceAndTheNames) {
   EXPECT_EQ(plain.name, "bvh/while-while");
   const Session session = measured({capped, plain});
   EXPECT_EQ(device_.kernels.at(1).at("registers"), 0);  // the second one's warm-up
-  EXPECT_EQ(device_.kernels.at(2), (OptionValues{{"registers", 40}, {"test", 0}}));
+  EXPECT_EQ(device_.kernels.at(2), (OptionValues{{"registers", 40}, {"test", 0}, {"block", 128}}));
   EXPECT_EQ(session.kernels.at(0)->registers, 40u);
   EXPECT_EQ(session.kernels.at(1)->registers, 0u);
 }

@@ -34,10 +34,13 @@ TEST(WireSpec, ComesBackAsItWas) {
 TEST(WireKinds, ListTheOptionsOfKernels) {
   const test::FakeDevice device;
   const Json options = to_json(device.kinds()[0]).at("traversals")[0].at("options");
-  ASSERT_EQ(options.size(), 2u);
+  ASSERT_EQ(options.size(), 3u);
   EXPECT_EQ(options[0].at("name"), "registers");
   EXPECT_EQ(options[0].at("maximum"), 255);
+  EXPECT_FALSE(options[0].contains("step"));
   EXPECT_EQ(options[1].at("choices"), Json::array({"watertight", "moeller"}));
+  EXPECT_EQ(options[2].at("step"), 32);
+  for (const Json& option : options) expect_valid("Option", option);
 }
 
 class WireResult : public testing::Test {
@@ -77,14 +80,14 @@ TEST_F(WireResult, OfADeviceThatHasNeitherKernelsNorBatchesNorSensors) {
 }
 
 TEST_F(WireResult, OfADeviceThatHasAll) {
-  row_.kernel_options = {{"registers", 40}, {"test", 0}};
+  row_.kernel_options = {{"registers", 40}, {"test", 0}, {"block", 128}};
   row_.changed_options = " registers=40";
   row_.kernel = KernelFigures{.registers = 40, .occupancy = 0.75};
   row_.throughput = {16, row_.frame_ms, 5500};
   result_.telemetry.emplace();
   result_.telemetry->core_clock_mhz = {1500, 1700, 1900};
   const Json result = json(), row = result.at("rows")[0];
-  EXPECT_EQ(row.at("kernel").at("options").dump(), R"({"registers":40,"test":"watertight"})");
+  EXPECT_EQ(row.at("kernel").at("options").dump(), R"({"block":128,"registers":40,"test":"watertight"})");
   EXPECT_EQ(row.at("kernel").at("occupancy"), 0.75);
   EXPECT_EQ(row.at("throughput").at("frames_per_launch"), 16);
   EXPECT_EQ(row.at("throughput").at("frame_ms").at("median"), 2.0);
@@ -104,6 +107,18 @@ TEST_F(WireResult, CsvHasTheSameNumberOfFieldsInEveryLine) {
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(lines[0].begin(), lines[0].end(), ',')) << line;
   }
   EXPECT_NE(lines[2].find(",registers=40,40,"), std::string::npos) << lines[2];
+}
+
+TEST(WireJob, OfAKernelThatTheCompilerRefusesTellsTheCause) {
+  Job job;
+  job.id = "j1";
+  job.state = JobState::failed;
+  job.error =
+      std::make_exception_ptr(KernelRefused("The kernel does not compile.\nptxas error : too much shared data"));
+  const Json error = error_json(job);
+  EXPECT_EQ(error.at("code"), "kernel_refused");
+  EXPECT_EQ(error.at("retryable"), false);
+  EXPECT_NE(error.at("detail").get<std::string>().find("too much shared data"), std::string::npos);
 }
 
 TEST(Machine, DetailsOfTheDeviceMakeAnother) {

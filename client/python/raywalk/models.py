@@ -220,6 +220,10 @@ class Option(BaseModel):
     minimum: float | None = None
     maximum: float | None = None
     integer: bool | None = None
+    step: Annotated[float | None, Field(gt=0.0)] = None
+    """
+    The value is a multiple of it; any value when absent.
+    """
     choices: list[str] | None = None
 
 
