@@ -5,6 +5,7 @@
 
 #include "server/api/kernel_document.h"
 #include "server/device/cuda/nvrtc_api.h"
+#include "server/exit_codes.h"
 
 namespace raywalk {
 
@@ -14,16 +15,16 @@ int compile_kernels(const std::vector<std::string>& architectures, const std::fi
     return code;
   };
   const cuda::Found<cuda::NvrtcApi> nvrtc = cuda::open_nvrtc();
-  if (!nvrtc) return fail(3, nvrtc.why_not);
+  if (!nvrtc) return fail(kNoDevice, nvrtc.why_not);
   try {
     const std::string text =
         api::kernel_document(nvrtc.value->version(), cuda::list_kernels(nvrtc.value, architectures, cache_dir));
     std::printf("%s\n", text.c_str());
-    return 0;
+    return kDone;
   } catch (const cuda::UnknownArchitecture& e) {
-    return fail(2, e.what());
+    return fail(kBadSetting, e.what());
   } catch (const cuda::CompileError& e) {
-    return fail(1, e.what());
+    return fail(kFailed, e.what());
   }
 }
 

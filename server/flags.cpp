@@ -4,17 +4,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 
 #include "server/system/build_info.h"
+#include "server/system/environment.h"
 
 namespace raywalk {
 namespace {
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? value : "";
-}
 
 std::filesystem::path default_state_dir() {
   if (const std::string xdg = environment("XDG_STATE_HOME"); !xdg.empty())

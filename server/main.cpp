@@ -12,6 +12,7 @@
 #include "server/api/residency.h"
 #include "server/api/services.h"
 #include "server/compile_kernels.h"
+#include "server/exit_codes.h"
 #include "server/flags.h"
 #include "server/http/server.h"
 #include "server/open_devices.h"
@@ -22,8 +23,6 @@
 
 namespace raywalk {
 namespace {
-
-enum ExitCode { kDone = 0, kFailed = 1, kBadSetting = 2, kNoDevice = 3, kPortInUse = 4, kDeviceLost = 5 };
 
 /// Ends the program with one sentence for the person who started it.
 struct Fatal {
@@ -101,7 +100,7 @@ int run(const Flags& flags) {
   const Workplace place{scenes, structures, queue, reference_structures, host ? host->queue : queue, machine};
   api::JobStore job_store(store, device.kinds());
   JobQueue jobs([&](const BenchmarkSpec& spec, const auto& report) { return run_benchmark(spec, place, report); },
-                job_store, job_store.recover());
+                job_store, job_store.recover(), [&] { return queue.lost().has_value(); });
 
   const http::Contract contract(http::embedded_contract());
   api::Metrics metrics;
@@ -114,6 +113,7 @@ int run(const Flags& flags) {
   const int port = server.bind();
   write_port_file(flags.port_file, port);
   store.begin_session();
+  residency.begin();
   const ShutdownWatch watch([&] {
     if (shutdown_exit_code() == kDone) store.end_session();
     server.stop();

@@ -19,6 +19,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "server/exit_codes.h"
 #include "server/http/server.h"
 
 namespace raywalk {
@@ -29,8 +30,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMostRestarts = 5;  // within kWindow
 constexpr std::chrono::seconds kWindow{60};
 constexpr std::chrono::milliseconds kFirstPause{100};  // doubles with every restart in the window
-constexpr int kLastingExitCodes[] = {0, 2, 3, 4};      // another start would end the same way
-constexpr int kDeviceLost = 5;
+constexpr int kLastingExitCodes[] = {kDone, kBadSetting, kNoDevice, kPortInUse};  // another start would end so too
 
 /// Keeps the port over restarts: a bound socket that never listens, beside which the child may bind and listen because
 /// both allow the address to be reused, while the system gives the port to nobody else.
@@ -84,19 +84,6 @@ class ReservedPort {
   int socket_ = -1;
   bool bound_ = false;
 };
-
-/// Drops the option `name` with its value, given as one word or two.
-void drop_option(std::vector<std::string>& arguments, const std::string& name) {
-  for (auto word = arguments.begin(); word != arguments.end();) {
-    if (*word == name) {
-      word = arguments.erase(word, std::min(word + 2, arguments.end()));
-    } else if (word->starts_with(name + "=")) {
-      word = arguments.erase(word);
-    } else {
-      ++word;
-    }
-  }
-}
 
 sigset_t set_of(std::initializer_list<int> signals) {
   sigset_t set;
@@ -179,9 +166,8 @@ int supervise(const std::vector<std::string>& given, const std::string& host, in
   const sigset_t child_signal = set_of({SIGCHLD});
   sigprocmask(SIG_BLOCK, &child_signal, nullptr);
   const ReservedPort reserved(host, port);
-  std::vector<std::string> arguments = given;
-  std::erase(arguments, "--supervise");
-  drop_option(arguments, "--port");
+  std::vector<std::string> arguments = given;  // of a flag that is given twice the last value counts
+  arguments.push_back("--supervise=false");
   arguments.push_back("--port=" + std::to_string(reserved.number()));
 
   std::deque<Clock::time_point> restarts;
@@ -205,7 +191,7 @@ int supervise(const std::vector<std::string>& given, const std::string& host, in
         "the daemon (process {}) ended {}; it is started again in {} ms, restart {} of at most {} within {} s", child,
         how, pause.count(), restarts.size(), kMostRestarts, kWindow.count());
     if (!pause_for(pause)) return 0;
-    drop_option(arguments, "--fault-after");
+    if (restarts.size() == 1) arguments.push_back("--fault-after=0");
   }
 }
 

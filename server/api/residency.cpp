@@ -31,8 +31,11 @@ void restoring(const std::string& what, const Work& work) {
 }  // namespace
 
 Residency::Residency(store::Store& store, const std::vector<KindInfo>& kinds) : store_(store), kinds_(kinds) {
-  before_ = store_.take_resident();
-  if (!store_.crashed_before()) before_ = {};
+  if (store_.crashed_before()) before_ = store_.resident();
+}
+
+void Residency::begin() {
+  store_.forget_resident();
 }
 
 void Residency::scene_changed(const std::string& name, const ScenePtr& now) {

@@ -13,9 +13,13 @@ namespace raywalk::api {
 /// Scenes of the catalogue and structures of theirs; uploads are gone with their daemon. From any thread.
 class Residency {
  public:
-  /// Both outlive it. Takes the list of the daemon before out of the store at once: what crashes the daemon again while
-  /// it is restored is not tried a third time.
+  /// Both outlive it. Reads the list of the daemon before, which stays in the store for the next start if this one
+  /// fails.
   Residency(store::Store& store, const std::vector<KindInfo>& kinds);
+
+  /// To be called once the daemon listens, before anything becomes resident: empties the store's list, so that what
+  /// crashes the daemon again while it is restored is not tried a third time. Throws store::DatabaseError.
+  void begin();
 
   /// As Scenes and Structures tell it.
   void scene_changed(const std::string& name, const ScenePtr& now);

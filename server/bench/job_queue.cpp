@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <random>
 
 #include "server/system/refusal.h"
@@ -40,12 +41,17 @@ Job ended_as(Job job, JobState state) {
 
 }  // namespace
 
-JobQueue::JobQueue(Run run, JobKeeper& keeper, std::vector<Job> kept) : run_(std::move(run)), keeper_(keeper) {
+JobQueue::JobQueue(Run run, JobKeeper& keeper, std::vector<Job> kept, std::function<bool()> device_is_lost)
+    : run_(std::move(run)), keeper_(keeper), device_is_lost_(std::move(device_is_lost)) {
+  std::vector<Entry*> ended;
   for (Job& job : kept) {
     if (!job.key.empty()) keys_[job.key] = job.id;
-    entries_.push_back(std::make_unique<Entry>());
+    entries_.push_back(std::make_shared<Entry>());
     entries_.back()->job = std::move(job);
+    if (entries_.back()->job.ended()) ended.push_back(entries_.back().get());
   }
+  std::ranges::stable_sort(ended, {}, [](const Entry* entry) -> const std::string& { return entry->job.ended_at; });
+  for (Entry* entry : ended) note_end(*entry);
   forget_old();
 }
 
@@ -77,7 +83,7 @@ JobQueue::Submitted JobQueue::submit(BenchmarkSpec spec, const std::string& key)
   if (static_cast<std::size_t>(waiting) >= kMaxQueued) {
     throw Refusal(Refusal::Why::too_many, "queue_full", "Too many jobs wait; submit again when some have ended.");
   }
-  auto entry = std::make_unique<Entry>();
+  auto entry = std::make_shared<Entry>();
   entry->job.id = new_id(++last_id_);
   entry->job.spec = std::move(spec);
   entry->job.created_at = now_text();
@@ -131,6 +137,7 @@ Job JobQueue::cancel(const std::string& id) {
   Entry& entry = entry_of(id);
   if (entry.job.state == JobState::queued) {
     finish(entry, JobState::cancelled);
+    forget_old();
   } else if (!entry.job.ended()) {
     entry.cancel = true;
   }
@@ -181,27 +188,30 @@ void JobQueue::keep(const Job& job) {
 
 void JobQueue::finish(Entry& entry, JobState state) {
   entry.job = ended_as(std::move(entry.job), state);
+  note_end(entry);
   keep(entry.job);
   changed_.notify_all();
 }
 
+void JobQueue::note_end(Entry& entry) {
+  entry.end_number = ++ends_;
+}
+
 void JobQueue::forget_old() {
-  auto ended = static_cast<std::size_t>(
-      std::count_if(entries_.begin(), entries_.end(), [](const auto& e) { return e->job.ended(); }));
-  for (auto entry = entries_.begin(); entry != entries_.end() && ended > kMaxEnded;) {
-    if (!(*entry)->job.ended()) {
-      ++entry;
-      continue;
-    }
-    const Job& job = (*entry)->job;
+  const auto is_ended = [](const auto& entry) { return entry->job.ended(); };
+  auto ended = static_cast<std::size_t>(std::ranges::count_if(entries_, is_ended));
+  for (; ended > kMaxEnded; --ended) {
+    const auto first = std::ranges::min_element(entries_, {}, [](const auto& entry) {
+      return entry->job.ended() ? entry->end_number : std::numeric_limits<u64>::max();
+    });
+    const Job& job = (*first)->job;
     if (!job.key.empty()) keys_.erase(job.key);
     try {
       keeper_.forget(job.id);
     } catch (const std::exception& e) {
       spdlog::error("job {} stays in the store: {}", job.id, e.what());
     }
-    entry = entries_.erase(entry);
-    --ended;
+    entries_.erase(first);
   }
 }
 
@@ -214,50 +224,48 @@ void JobQueue::succeed(Entry& entry, const BenchmarkResult& result) {
   keeper_.keep(done, result);
   lock.lock();
   entry.job = std::move(done);
+  note_end(entry);
   changed_.notify_all();
 }
 
 void JobQueue::work_on(Entry& entry) {
   std::exception_ptr error;
-  bool lost = false;
   try {
     succeed(entry, run_(entry.job.spec, [&](const BenchmarkProgress& progress) { report(entry, progress); }));
   } catch (const Stopped&) {
   } catch (const std::exception& e) {
     spdlog::warn("job {} failed: {}", entry.job.id, e.what());
     error = std::current_exception();
-    lost = dynamic_cast<const DeviceLost*>(&e) != nullptr;
   }
   const std::lock_guard lock(mutex_);
   if (!entry.job.ended()) {
     entry.job.error = error;
     finish(entry, error ? JobState::failed : entry.cancel ? JobState::cancelled : JobState::interrupted);
   }
-  device_lost_ = lost;
+  spdlog::info("job {} ended", entry.job.id);
   forget_old();
 }
 
 void JobQueue::loop() {
   std::unique_lock lock(mutex_);
-  while (!stopping_ && !device_lost_) {
+  while (!stopping_) {
     const auto next =
         std::find_if(entries_.begin(), entries_.end(), [](const auto& e) { return e->job.state == JobState::queued; });
-    if (next == entries_.end()) {
+    if (next == entries_.end() || (device_is_lost_ && device_is_lost_())) {
       work_.wait(lock);
       continue;
     }
-    Entry& entry = **next;
-    entry.job.state = JobState::running;
-    entry.job.stage = "starting";
-    entry.job.started_at = now_text();
-    entry.started = std::chrono::steady_clock::now();
-    ++entry.job.version;
-    keep(entry.job);
+    const std::shared_ptr<Entry> entry = *next;
+    entry->job.state = JobState::running;
+    entry->job.stage = "starting";
+    entry->job.started_at = now_text();
+    entry->started = std::chrono::steady_clock::now();
+    ++entry->job.version;
+    keep(entry->job);
     changed_.notify_all();
     lock.unlock();
-    spdlog::info("job {} started: scene={}", entry.job.id, entry.job.spec.scene);
-    work_on(entry);
-    spdlog::info("job {} ended", entry.job.id);
+    spdlog::info("job {} started: scene={}", entry->job.id, entry->job.spec.scene);
+    work_on(*entry);
     lock.lock();
   }
 }

@@ -23,11 +23,12 @@ class JobQueue {
   using Run =
       std::function<BenchmarkResult(const BenchmarkSpec&, const std::function<void(const BenchmarkProgress&)>&)>;
   static constexpr std::size_t kMaxQueued = 64;
-  static constexpr std::size_t kMaxEnded = 256;  // the oldest of more are forgotten
+  static constexpr std::size_t kMaxEnded = 256;  // of more, those that ended first are forgotten
 
   /// `kept` are jobs of an earlier daemon, oldest first, queued or ended. Every change of a job's state or stage is
-  /// told to `keeper`, which outlives the queue.
-  JobQueue(Run run, JobKeeper& keeper, std::vector<Job> kept = {});
+  /// told to `keeper`, which outlives the queue. No job starts once `device_is_lost` (from any thread; empty: never)
+  /// says so: those that wait are for the next daemon.
+  JobQueue(Run run, JobKeeper& keeper, std::vector<Job> kept = {}, std::function<bool()> device_is_lost = {});
   /// The job that runs ends as interrupted at its next frame; those that wait are kept as they are.
   ~JobQueue();
   JobQueue(const JobQueue&) = delete;
@@ -58,6 +59,7 @@ class JobQueue {
   struct Entry {
     Job job;
     bool cancel = false;
+    u64 end_number = 0;  // counts ends, from 1; 0: not ended
     std::chrono::steady_clock::time_point started, reported;
   };
 
@@ -67,20 +69,23 @@ class JobQueue {
   void succeed(Entry& entry, const BenchmarkResult& result);
   void finish(Entry& entry, JobState state);
   void keep(const Job& job);
+  void note_end(Entry& entry);
+  /// Never the one that ended last.
   void forget_old();
   Entry& entry_of(const std::string& id) const;
   Job snapshot(const Entry& entry) const;
 
   Run run_;
   JobKeeper& keeper_;
+  std::function<bool()> device_is_lost_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   std::condition_variable work_;
-  std::deque<std::unique_ptr<Entry>> entries_;  // oldest first
+  std::deque<std::shared_ptr<Entry>> entries_;  // oldest first; the worker shares the one that it works on
   std::map<std::string, std::string> keys_;     // Idempotency-Key to id
   u64 last_id_ = 0;
+  u64 ends_ = 0;
   bool stopping_ = false;
-  bool device_lost_ = false;  // jobs that wait are for the next daemon
   std::thread thread_;
 };
 

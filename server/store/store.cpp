@@ -202,9 +202,8 @@ void Store::drop_structure(const std::string& id) {
   database_->statement("DELETE FROM resident_structures WHERE id = ?").text(id).run();
 }
 
-Resident Store::take_resident() {
+Resident Store::resident() {
   const std::lock_guard lock(mutex_);
-  Transaction transaction(*database_);
   Resident resident;
   {
     Statement rows = database_->statement("SELECT name, triangles FROM resident_scenes ORDER BY rowid");
@@ -223,9 +222,12 @@ Resident Store::take_resident() {
       }
     }
   }
-  database_->run("DELETE FROM resident_scenes");
-  transaction.commit();
   return resident;
+}
+
+void Store::forget_resident() {
+  const std::lock_guard lock(mutex_);
+  database_->run("DELETE FROM resident_scenes");
 }
 
 }  // namespace raywalk::store

@@ -73,8 +73,9 @@ class Store {
   /// Ignored unless its scene is there.
   void add_structure(const ResidentStructure& structure);
   void drop_structure(const std::string& id);
-  /// What was resident, and the list is empty from then on.
-  Resident take_resident();
+  Resident resident();
+  /// Nothing is resident any more.
+  void forget_resident();
 
  private:
   void save_now(const JobRow& job);

@@ -3,6 +3,7 @@
 import os
 import re
 import signal
+import socket
 import subprocess
 import time
 from collections.abc import Iterator
@@ -62,6 +63,11 @@ def result_bytes(daemon: Daemon, job: str) -> tuple[bytes, bytes]:
     assert [answer.status_code for answer in answers] == [200, 200], answers[0].text
     assert answers[1].headers["content-type"] == "text/csv"
     return answers[0].content, answers[1].content
+
+
+def words_of(process: int) -> list[str]:
+    """The command line."""
+    return Path(f"/proc/{process}/cmdline").read_text().split("\0")[:-1]
 
 
 def resident(daemon: Daemon) -> dict[str, int]:
@@ -146,6 +152,48 @@ def test_nothing_is_restored_after_a_stop(tmp_path: Path) -> None:
             assert resident(daemon) == {"soup": 500}
             daemon.process.send_signal(signal.SIGINT)
             assert daemon.process.wait(timeout=START_LIMIT_S) == 0
+
+
+@pytest.mark.parametrize("flag", ["--supervise=true", "--supervise"])
+def test_the_child_is_no_supervisor(tmp_path: Path, flag: str) -> None:
+    with supervised(tmp_path, flag) as daemon:
+        child = child_of(daemon.process)
+        assert child is not None
+        with_children = Path(f"/proc/{child}/task").glob("*/children")
+        assert [path.read_text() for path in with_children if path.read_text()] == []
+        daemon.process.send_signal(signal.SIGTERM)
+        assert daemon.process.wait(timeout=START_LIMIT_S) == 0
+
+
+@pytest.mark.parametrize("flags", [["--fault-after=1000"], ["--fault-after", "1000"]])
+def test_a_fault_on_purpose_comes_once(tmp_path: Path, flags: list[str]) -> None:
+    with supervised(tmp_path, *flags) as daemon:
+        first = child_of(daemon.process)
+        assert first is not None
+        assert "--fault-after=0" not in words_of(first)
+        for _ in range(2):
+            crash(daemon)
+            child = child_of(daemon.process)
+            assert child is not None
+            assert [word for word in words_of(child) if "fault" in word][-1] == "--fault-after=0"
+
+
+def test_a_start_that_fails_keeps_what_was_resident(tmp_path: Path) -> None:
+    first = start(tmp_path, "--port", "0", "--device", "cpu")
+    port = wait_for_port(first)
+    with httpx2.Client(base_url=f"http://127.0.0.1:{port}", timeout=60.0) as client:
+        Daemon(first, port, client).load("soup", triangles=500)
+    first.kill()
+    first.communicate()
+    with socket.create_server(("127.0.0.1", port)):
+        failed = start(tmp_path, "--port", str(port), "--device", "cpu")
+        _, errors = failed.communicate(timeout=START_LIMIT_S)
+    assert failed.returncode == 4, errors
+    with supervised(tmp_path, "--device", "cpu") as daemon:
+        end = time.monotonic() + RESTART_LIMIT_S
+        while not resident(daemon) and time.monotonic() < end:
+            time.sleep(0.02)
+        assert resident(daemon) == {"soup": 500}
 
 
 def test_a_crash_loop_gives_up(tmp_path: Path) -> None:

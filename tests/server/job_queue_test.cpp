@@ -7,7 +7,9 @@
 #include <functional>
 #include <map>
 
+#include "server/device/device_queue.h"
 #include "server/system/refusal.h"
+#include "tests/server/fake_device.h"
 
 namespace raywalk {
 namespace {
@@ -255,12 +257,78 @@ TEST(JobQueue, WhatWaitsAtTheEndIsKeptAsQueued) {
 
 TEST(JobQueue, ALostDeviceRunsNothingMore) {
   MemoryKeeper keeper;
-  JobQueue jobs([](const BenchmarkSpec&, const Report&) -> BenchmarkResult { throw DeviceLost("it trapped"); }, keeper);
+  std::atomic<bool> lost{false};
+  JobQueue jobs(
+      [&](const BenchmarkSpec&, const Report&) -> BenchmarkResult {
+        lost = true;
+        throw DeviceLost("it trapped");
+      },
+      keeper, {}, [&] { return lost.load(); });
   const std::string first = jobs.submit({}, "").job.id, second = jobs.submit({}, "").job.id;
   jobs.start();
   EXPECT_EQ(wait_for_end(jobs, first).state, JobState::failed);
   std::this_thread::sleep_for(20ms);
   EXPECT_EQ(jobs.find(second).state, JobState::queued);
+}
+
+TEST(JobQueue, NothingStartsOnADeviceThatOthersLost) {
+  test::FakeDevice device;
+  DeviceQueue devices(device);
+  MemoryKeeper keeper;
+  std::atomic<int> runs{0};
+  JobQueue jobs(
+      [&](const BenchmarkSpec&, const Report&) {
+        ++runs;
+        return BenchmarkResult{};
+      },
+      keeper, {}, [&] { return devices.lost().has_value(); });
+  jobs.start();
+  device.is_lost = true;
+  Frame frame;
+  EXPECT_THROW(devices.run([&](Device& d) { d.render({}, frame); }), DeviceLost);
+  const std::string waiting = jobs.submit({}, "").job.id;
+  std::this_thread::sleep_for(20ms);
+  EXPECT_EQ(keeper.job(waiting).state, JobState::queued) << "it is for the next daemon";
+  EXPECT_EQ(runs, 0);
+}
+
+TEST(JobQueue, ManyCancelledJobsDoNotPushOutTheOneThatRan) {
+  std::atomic<bool> go_on{false};
+  WorkingQueue jobs([&](const BenchmarkSpec&, const Report&) {
+    while (!go_on) std::this_thread::sleep_for(1ms);
+    return BenchmarkResult{};
+  });
+  const std::string running = jobs.submit({}, "").job.id;
+  while (jobs.find(running).state == JobState::queued) std::this_thread::sleep_for(1ms);
+  std::vector<std::string> cancelled;
+  for (std::size_t i = 0; i < JobQueue::kMaxEnded + 3; ++i) {
+    cancelled.push_back(jobs.submit({}, "").job.id);
+    EXPECT_EQ(jobs.cancel(cancelled.back()).state, JobState::cancelled);
+  }
+  EXPECT_EQ(jobs.list().size(), JobQueue::kMaxEnded + 1) << "cancelling forgets too";
+  go_on = true;
+  EXPECT_EQ(wait_for_end(jobs, running).state, JobState::succeeded);
+  const std::string next = jobs.submit({}, "").job.id;
+  EXPECT_EQ(wait_for_end(jobs, next).state, JobState::succeeded) << "the queue still works";
+  EXPECT_TRUE(jobs.keeper().results().contains(running)) << "its result is kept";
+  EXPECT_TRUE(jobs.find(running).has_result);
+  EXPECT_THROW(jobs.find(cancelled[3]), Refusal) << "those that ended first are forgotten";
+  EXPECT_NO_THROW(jobs.find(cancelled.back()));
+}
+
+TEST(JobQueue, WhatEndedFirstIsForgottenFirst) {
+  std::vector<Job> kept(JobQueue::kMaxEnded + 1);
+  MemoryKeeper keeper;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    kept[i].id = std::to_string(i);
+    kept[i].state = JobState::succeeded;
+    kept[i].ended_at = i == 0   ? "2026-01-02T00:00:00.000Z"
+                       : i == 7 ? "2025-01-01T00:00:00.000Z"
+                                : "2026-01-01T00:00:00.000Z";
+  }
+  const JobQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; }, keeper, kept);
+  EXPECT_NO_THROW(jobs.find("0")) << "submitted first, and ended last";
+  EXPECT_THROW(jobs.find("7"), Refusal);
 }
 
 TEST(JobQueue, TheOldestAreForgotten) {

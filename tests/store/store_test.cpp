@@ -141,7 +141,7 @@ TEST_F(StoreTest, ResidentScenesAndStructures) {
     store.add_scene({"room", 77});
   }
   Store store(folder);
-  const Resident resident = store.take_resident();
+  const Resident resident = store.resident();
   ASSERT_EQ(resident.scenes.size(), 2u);
   EXPECT_EQ(resident.scenes[0].name, "soup");
   EXPECT_EQ(resident.scenes[0].triangles, 1000u);
@@ -150,7 +150,9 @@ TEST_F(StoreTest, ResidentScenesAndStructures) {
   ASSERT_EQ(resident.structures.size(), 1u);
   EXPECT_EQ(resident.structures[0].id, "soup.bvh");
   EXPECT_EQ(resident.structures[0].options, "{\"leaf\":4}");
-  const Resident rest = store.take_resident();
+  EXPECT_EQ(Store(folder).resident().structures.size(), 1u) << "reading leaves it there";
+  store.forget_resident();
+  const Resident rest = store.resident();
   EXPECT_TRUE(rest.scenes.empty());
   EXPECT_TRUE(rest.structures.empty());
 }

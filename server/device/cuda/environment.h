@@ -1,16 +1,11 @@
 // Environment variables that name a library.
 #pragma once
-#include <cstdlib>
 #include <string>
 #include <vector>
 
-namespace raywalk::cuda {
+#include "server/system/environment.h"
 
-/// The value; empty when it is not set.
-inline std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? value : "";
-}
+namespace raywalk::cuda {
 
 /// What the variable names, or `usual` when it is not set.
 inline std::vector<std::string> named_or(const char* variable, const std::string& usual) {
