@@ -83,6 +83,16 @@ TEST_F(CompilerTest, OtherOptionsAreOtherKernels) {
   EXPECT_FALSE(Compiler(nvrtc_, "sm_80", folder.path()).compile(spec).cached);
 }
 
+TEST_F(CompilerTest, AnotherBuildOfTheCompilerIsAnotherKernel) {
+  EXPECT_NE(nvrtc_->identity.find("libnvrtc.so."), std::string::npos) << nvrtc_->identity;
+  const test::Folder folder;
+  compile(small_kernel(), folder.path());
+  const auto patched = std::make_shared<NvrtcApi>(*nvrtc_);
+  patched->identity += '0';
+  EXPECT_FALSE(Compiler(patched, "sm_90", folder.path()).compile(small_kernel()).cached);
+  EXPECT_TRUE(compile(small_kernel(), folder.path()).cached);
+}
+
 TEST_F(CompilerTest, ADamagedFileIsReplaced) {
   const test::Folder folder;
   const Compiled first = compile(small_kernel(), folder.path());

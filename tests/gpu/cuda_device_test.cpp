@@ -172,6 +172,24 @@ TEST_F(CudaDeviceTest, OutOfMemoryIsToldAndTheDeviceGoesOn) {
   EXPECT_EQ(frame.pixels.size(), 64u * 64u * 3u);
 }
 
+TEST_F(CudaDeviceTest, WhatALaunchNeedsIsToldAltogether) {
+  const test::Variable memory("FAKE_CUDA_MEMORY_BYTES", std::to_string(64 * kMiB));
+  open();
+  FrameJob asked = job();
+  asked.width = asked.height = 512;
+  const std::vector<FrameJob> jobs(8, asked);
+  const u64 held = device_->memory().resident_bytes;
+  ASSERT_GT(held, 0u);
+  try {
+    device_->measure(jobs, Work::trace);
+    FAIL() << "it does not fit";
+  } catch (const OutOfDeviceMemory& error) {
+    EXPECT_EQ(error.needed_bytes(), held + 8 * 512 * 512 * (sizeof(Hit) + sizeof(Ray)));
+    EXPECT_EQ(error.free_bytes(), 64 * kMiB);
+  }
+  EXPECT_EQ(device_->memory().resident_bytes, held) << "a launch drops what it reads";
+}
+
 TEST_F(CudaDeviceTest, WhatWasDroppedComesBack) {
   CudaConfig config;
   config.memory_limit_bytes = 3 * kMiB;

@@ -103,6 +103,17 @@ TEST(Driver, FailedLaunchLosesTheContext) {
   }
 }
 
+TEST(Library, HasTheIdentityOfItsBuild) {
+  const auto identity = [](const std::string& name) {
+    const std::string path = fake_driver(name);
+    const Found<Library> library = Library::open({&path, 1});
+    return library ? library.value->identity() : library.why_not;
+  };
+  EXPECT_EQ(identity("fake_cuda"), identity("fake_cuda"));
+  EXPECT_NE(identity("fake_cuda"), identity("fake_cuda_incomplete"));
+  EXPECT_TRUE(identity("fake_cuda").starts_with("libfake_cuda.so ")) << identity("fake_cuda");
+}
+
 TEST(Nvml, MissingLibraryAndSymbolsAreNamed) {
   {
     const Variable library("RAYWALK_LIBNVML", "/no/such/libnvidia-ml.so");

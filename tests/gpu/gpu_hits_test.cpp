@@ -145,6 +145,32 @@ TEST_F(GpuHits, OptionsOfTheKernelChangeNoHit) {
   }
 }
 
+TEST_F(GpuHits, OfTheOtherTriangleTestAreNearlyTheSame) {
+  constexpr double kFewestAlike = 0.998;  // at edges either triangle may be met, or a gap
+  constexpr float kTolerance = 1e-4f;     // of t, relative
+  const SceneBlob scene = std::make_shared<const Blob>(test::room({}));
+  for (const TraversalType& type : traversal_types()) {
+    FrameJob asked = on(gpu(), scene, type, Mode::primary);
+    asked.width = asked.height = 256;
+    PrimaryHits watertight, other;
+    gpu().trace_primary(asked, watertight);
+    asked.kernel = {{"intersector", 1}};
+    gpu().trace_primary(asked, other);
+    ASSERT_EQ(other.hits.size(), watertight.hits.size());
+    size_t alike = 0, met = 0;
+    for (size_t i = 0; i < other.hits.size(); ++i) {
+      const Hit &a = watertight.hits[i], &b = other.hits[i];
+      if (a.id != b.id) continue;
+      ++alike;
+      if (a.id == kMiss) continue;
+      ++met;
+      EXPECT_NEAR(b.t, a.t, kTolerance * a.t) << name_of(type) << ", pixel " << i;
+    }
+    EXPECT_GE(static_cast<double>(alike), kFewestAlike * static_cast<double>(other.hits.size())) << name_of(type);
+    EXPECT_GT(met, other.hits.size() / 2) << name_of(type);
+  }
+}
+
 TEST_F(GpuHits, AreTheCpusOnTheBunny) {
   const std::filesystem::path file = test::bunny_file();
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original bunny is not at " << file;

@@ -71,6 +71,7 @@ std::string key_of(const NvrtcApi& nvrtc, const Sources& sources, const std::vec
     digest.add(text.data(), text.size());
   };
   add(nvrtc.version());
+  add(nvrtc.identity);
   add(sources.program);
   for (size_t i = 0; i < sources.names.size(); ++i) {
     add(sources.names[i]);

@@ -19,8 +19,9 @@ GpuFacts facts_of(const DriverApi& driver, CUdevice device) {
   std::array<char, 256> name{};
   RW_CUDA(driver, cuDeviceGetName, name.data(), static_cast<int>(name.size()), device);
   facts.name = name.data();
-  facts.architecture = "sm_" + std::to_string(get(CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MAJOR)) +
-                       std::to_string(get(CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MINOR));
+  facts.capability =
+      10 * get(CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MAJOR) + get(CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MINOR);
+  facts.architecture = "sm_" + std::to_string(facts.capability);
   std::array<char, 40> bus_id{};
   std::snprintf(bus_id.data(), bus_id.size(), "%08x:%02x:%02x.0", get(CU_DEVICE_ATTRIBUTE_PCI_DOMAIN_ID),
                 get(CU_DEVICE_ATTRIBUTE_PCI_BUS_ID), get(CU_DEVICE_ATTRIBUTE_PCI_DEVICE_ID));

@@ -11,6 +11,7 @@ namespace raywalk::cuda {
 struct GpuFacts {
   std::string name;          // such as "NVIDIA H100 80GB HBM3"
   std::string architecture;  // such as "sm_90"
+  u32 capability = 0;        // 10 * major + minor
   std::string pci_bus_id;    // such as "00000000:17:00.0", as NVML takes it
   u32 multiprocessors = 0;
   u32 threads_per_multiprocessor = 0;  // resident at most

@@ -87,6 +87,7 @@ CudaDevice::CudaDevice(std::shared_ptr<const Context> context, std::shared_ptr<c
   const std::string version = sensors_.driver_version();
   const std::string cuda = "CUDA " + version_text(context_->driver().version);
   info_.details["driver"] = version.empty() ? cuda : version + " (" + cuda + ")";
+  if (!sensors_.why_not().empty()) info_.details["sensors"] = "none (" + sensors_.why_not() + ")";
   info_.details["architecture"] = context_->facts().architecture;
   info_.details["multiprocessors"] = std::to_string(context_->facts().multiprocessors);
 }
@@ -132,6 +133,10 @@ CudaDevice::OnDevice CudaDevice::hold(const CudaStructure& structure) {
   return {memory_->hold(structure.scene_copy()), memory_->hold(structure.copy())};
 }
 
+CudaDevice::OnDevice CudaDevice::hold(const FrameJob& job) {
+  return hold(structure_of(job.structure));
+}
+
 KernelSpec CudaDevice::spec_of(const FrameJob& job, Program program) const {
   const u32 features = all_features_ ? kAllFeatures : structure_of(job.structure).scene().header().features;
   return kernel_spec(type_of(job), job.kernel, program, job.mode, features);
@@ -147,11 +152,10 @@ double CudaDevice::timed(Kernel& kernel, const Grid& grid, const Arguments&... a
   return timer_.ms();
 }
 
-double CudaDevice::shade(std::span<const FrameJob> jobs, const Residency::Scratch& pixels) {
+double CudaDevice::shade(std::span<const FrameJob> jobs, const OnDevice& data, const Residency::Scratch& pixels) {
   const FrameJob& job = jobs.front();
   const KernelSpec spec = spec_of(job, Program::frame);
   Kernel& kernel = kernels_.get(spec, "frame");
-  const OnDevice data = hold(structure_of(job.structure));
   const Grid grid{blocks_for(padded_rays(job.width, job.height), spec.block), static_cast<u32>(jobs.size()),
                   spec.block};
   return timed(kernel, grid, data.scene.address(), data.structure.address(), batch_of(jobs), pixels.address());
@@ -167,11 +171,10 @@ Residency::Scratch CudaDevice::primary_rays(std::span<const FrameJob> jobs) {
   return rays;
 }
 
-double CudaDevice::trace(std::span<const FrameJob> jobs, const Residency::Scratch& hits) {
+double CudaDevice::trace(std::span<const FrameJob> jobs, const OnDevice& data, const Residency::Scratch& hits) {
   const FrameJob& job = jobs.front();
   const KernelSpec spec = spec_of(job, Program::trace);
   Kernel& kernel = kernels_.get(spec, "closest");
-  const OnDevice data = hold(structure_of(job.structure));
   const Residency::Scratch rays = primary_rays(jobs);
   const u64 count = jobs.size() * padded_rays(job.width, job.height);
   return timed(kernel, {blocks_for(count, spec.block), 1, spec.block}, data.scene.address(), data.structure.address(),
@@ -190,8 +193,9 @@ void CudaDevice::render(const FrameJob& job, Frame& frame) {
   shape_frame(job, 3, frame);
   guarded([&] {
     const u64 bytes = frame.pixels.size() * sizeof(float);
+    const OnDevice data = hold(job);
     const Residency::Scratch pixels = memory_->scratch(bytes);
-    frame.trace_ms = shade({&job, 1}, pixels);
+    frame.trace_ms = shade({&job, 1}, data, pixels);
     const auto start = std::chrono::steady_clock::now();
     readback_.copy(pixels.address(), frame.pixels.data(), bytes);
     frame.readback_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -202,8 +206,9 @@ void CudaDevice::trace_primary(const FrameJob& job, PrimaryHits& result) {
   hits_.resize(padded_rays(job.width, job.height));
   guarded([&] {
     const u64 bytes = hits_.size() * sizeof(Hit);
+    const OnDevice data = hold(job);
     const Residency::Scratch hits = memory_->scratch(bytes);
-    result.trace_ms = trace({&job, 1}, hits);
+    result.trace_ms = trace({&job, 1}, data, hits);
     readback_.copy(hits.address(), hits_.data(), bytes);
   });
   result.hits.resize(u64{job.width} * job.height);
@@ -218,7 +223,7 @@ void CudaDevice::render_steps(const FrameJob& job, Frame& frame) {
     primary.mode = Mode::primary;
     const KernelSpec spec = spec_of(primary, Program::count);
     Kernel& kernel = kernels_.get(spec, "count_rays");
-    const OnDevice data = hold(structure_of(job.structure));
+    const OnDevice data = hold(job);
     const u64 count = counts.size(), bytes = count * sizeof(Counts);
     const Residency::Scratch rays = primary_rays({&job, 1});
     const Residency::Scratch out = memory_->scratch(bytes);
@@ -234,9 +239,10 @@ double CudaDevice::measure(std::span<const FrameJob> jobs, Work work) {
   check_batch(jobs);
   const FrameJob& job = jobs.front();
   return guarded([&] {
+    const OnDevice data = hold(job);
     if (work == Work::frame)
-      return shade(jobs, memory_->scratch(jobs.size() * u64{job.width} * job.height * sizeof(Vec3)));
-    return trace(jobs, memory_->scratch(jobs.size() * padded_rays(job.width, job.height) * sizeof(Hit)));
+      return shade(jobs, data, memory_->scratch(jobs.size() * u64{job.width} * job.height * sizeof(Vec3)));
+    return trace(jobs, data, memory_->scratch(jobs.size() * padded_rays(job.width, job.height) * sizeof(Hit)));
   });
 }
 
@@ -262,7 +268,7 @@ Counts CudaDevice::count(const FrameJob& job) {
   return guarded([&] {
     const KernelSpec spec = spec_of(job, Program::count);
     const CUfunction kernel = kernels_.get(spec, "count_frame").function;
-    const OnDevice data = hold(structure_of(job.structure));
+    const OnDevice data = hold(job);
     const Residency::Scratch sum = memory_->scratch(sizeof(Counts));
     RW_CUDA(context_->driver(), cuMemsetD8Async, sum.address(), 0, sizeof(Counts), stream_->get());
     launch_(kernel, {blocks_for(padded_rays(job.width, job.height), spec.block), 1, spec.block}, data.scene.address(),

@@ -47,11 +47,12 @@ class CudaDevice final : public Device {
   [[noreturn]] void rethrow(const CudaError& error);
 
   OnDevice hold(const CudaStructure& structure);
+  OnDevice hold(const FrameJob& job);
   KernelSpec spec_of(const FrameJob& job, Program program) const;
   /// Colours of all jobs, one frame after another, into `pixels`; the time in ms.
-  double shade(std::span<const FrameJob> jobs, const Residency::Scratch& pixels);
+  double shade(std::span<const FrameJob> jobs, const OnDevice& data, const Residency::Scratch& pixels);
   /// Closest hits of the primary rays of all jobs into `hits`, padded_rays() a frame; the time in ms.
-  double trace(std::span<const FrameJob> jobs, const Residency::Scratch& hits);
+  double trace(std::span<const FrameJob> jobs, const OnDevice& data, const Residency::Scratch& hits);
   void render_steps(const FrameJob& job, Frame& frame);
   /// Primary rays of all jobs, padded_rays() a frame; queued only.
   Residency::Scratch primary_rays(std::span<const FrameJob> jobs);

@@ -29,6 +29,9 @@ class Library {
   /// Null when it has no such symbol.
   void* symbol(const char* name) const;
   const std::string& path() const { return path_; }
+  /// Differs between builds of a library that tell the same version: the file's name and size, and the linker's build
+  /// identifier where it has one.
+  std::string identity() const;
 
  private:
   Library(void* handle, std::string path) : handle_(handle), path_(std::move(path)) {}

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
+#include "server/device/cuda/driver_api.h"
 #include "server/device/cuda/environment.h"
 
 namespace raywalk::cuda {
@@ -48,6 +50,42 @@ std::shared_ptr<const Library> open_builtins(const NvrtcApi& nvrtc) {
   return Library::open(names).value;
 }
 
+/// The package of Python that has NVRTC for drivers of a major version of CUDA.
+std::string wheel_for(int major) {
+  return major < 13 ? "nvidia-cuda-nvrtc-cu" + std::to_string(major)
+                    : "nvidia-cuda-nvrtc==" + std::to_string(major) + ".*";
+}
+
+Found<NvrtcApi> checked(const std::shared_ptr<const Library>& library, int driver_version) {
+  const auto api = std::make_shared<NvrtcApi>();
+  api->library = library;
+  std::string missing;
+#define RW_BIND(call, ...) bind(*library, #call, api->call, missing);
+  RW_NVRTC_CALLS(RW_BIND)
+#undef RW_BIND
+  bind(*library, "nvrtcGetErrorString", api->nvrtcGetErrorString, missing);
+  const std::string where = "The kernel compiler NVRTC (" + library->path() + ") ";
+  // The version first: it is a better reason than calls that are missing.
+  if (api->nvrtcVersion != nullptr && api->nvrtcVersion(&api->major, &api->minor) != NVRTC_SUCCESS) {
+    return {nullptr, where + "does not tell its version."};
+  }
+  const int version = 1000 * api->major + 10 * api->minor;
+  if (api->nvrtcVersion != nullptr && version < kOldestNvrtc) {
+    return {nullptr, where + "is too old: it is " + api->version() + ", and " + version_text(kOldestNvrtc) +
+                         " or newer is needed."};
+  }
+  const int driver_major = driver_version / 1000;
+  if (driver_version != 0 && api->major > driver_major) {
+    return {nullptr, where + "is too new for the driver: it is " + api->version() + ", and the driver supports CUDA " +
+                         version_text(driver_version) + "; pip install \"" + wheel_for(driver_major) +
+                         "\" brings one that fits."};
+  }
+  if (!missing.empty()) return {nullptr, where + "lacks " + missing + "."};
+  api->identity = library->identity();
+  api->builtins = open_builtins(*api);
+  return {api, {}};
+}
+
 }  // namespace
 
 std::vector<std::string> NvrtcApi::architectures() const {
@@ -61,8 +99,13 @@ std::vector<std::string> NvrtcApi::architectures() const {
 }
 
 std::vector<std::string> nvrtc_places() {
-  if (std::string named = environment("RAYWALK_NVRTC"); !named.empty()) return {std::move(named)};
-  std::vector<std::string> names = {"libnvrtc.so.13", "libnvrtc.so.12"};
+  std::vector<std::string> names;
+  std::istringstream named(environment("RAYWALK_NVRTC"));
+  for (std::string name; std::getline(named, name, ':');) {
+    if (!name.empty()) names.push_back(name);
+  }
+  if (!names.empty()) return names;
+  names = {"libnvrtc.so.13", "libnvrtc.so.12"};
   for (const fs::path& toolkit : entries("/usr/local", "cuda")) add_libraries(toolkit / "lib64", names);
   if (const std::string active = environment("VIRTUAL_ENV"); !active.empty()) add_python_environment(active, names);
   std::error_code error;
@@ -74,24 +117,18 @@ std::vector<std::string> nvrtc_places() {
   return names;
 }
 
-Found<NvrtcApi> open_nvrtc() {
-  const Found<Library> library = Library::open(nvrtc_places(), Library::Unload::never);
-  if (!library) return {nullptr, "There is no kernel compiler (NVRTC). " + library.why_not};
-
-  const auto api = std::make_shared<NvrtcApi>();
-  api->library = library.value;
-  std::string missing;
-#define RW_BIND(call, ...) bind(*library.value, #call, api->call, missing);
-  RW_NVRTC_CALLS(RW_BIND)
-#undef RW_BIND
-  bind(*library.value, "nvrtcGetErrorString", api->nvrtcGetErrorString, missing);
-  const std::string where = "The kernel compiler NVRTC (" + library.value->path() + ") ";
-  if (!missing.empty()) return {nullptr, where + "lacks " + missing + "."};
-  if (api->nvrtcVersion(&api->major, &api->minor) != NVRTC_SUCCESS) {
-    return {nullptr, where + "does not tell its version."};
+Found<NvrtcApi> open_nvrtc(int driver_version) {
+  const std::vector<std::string> places = nvrtc_places();
+  std::string unfit;
+  for (const std::string& place : places) {
+    const Found<Library> library = Library::open({&place, 1}, Library::Unload::never);
+    if (!library) continue;
+    Found<NvrtcApi> nvrtc = checked(library.value, driver_version);
+    if (nvrtc) return nvrtc;
+    unfit += (unfit.empty() ? "" : " ") + nvrtc.why_not;
   }
-  api->builtins = open_builtins(*api);
-  return {api, {}};
+  if (!unfit.empty()) return {nullptr, unfit};
+  return {nullptr, "There is no kernel compiler (NVRTC). " + Library::open(places).why_not};
 }
 
 }  // namespace raywalk::cuda

@@ -39,6 +39,7 @@ struct NvrtcApi {
   std::shared_ptr<const Library> library;
   std::shared_ptr<const Library> builtins;  // what NVRTC opens by name when it compiles; null where the loader finds it
   int major = 0, minor = 0;
+  std::string identity;  // of this very build, see Library
 
   /// "13.0".
   std::string version() const {
@@ -48,11 +49,16 @@ struct NvrtcApi {
   std::vector<std::string> architectures() const;
 };
 
-/// Where open_nvrtc looks, in that order: the library that the environment variable RAYWALK_NVRTC names and nothing
-/// else, or what the loader finds, the usual folders of CUDA toolkits, and a Python environment: $VIRTUAL_ENV, or .venv
-/// beside the program or above it.
+/// The oldest NVRTC that is good enough, as 1000 * major + 10 * minor: 12.4 is the first that knows __maxnreg__.
+constexpr int kOldestNvrtc = 12040;
+
+/// Where open_nvrtc looks, in that order: the libraries that the environment variable RAYWALK_NVRTC names, separated by
+/// colons, and nothing else, or what the loader finds, the usual folders of CUDA toolkits, and a Python environment:
+/// $VIRTUAL_ENV, or .venv beside the program or above it.
 std::vector<std::string> nvrtc_places();
 
-Found<NvrtcApi> open_nvrtc();
+/// The first that can be opened, is not too old, and whose machine code a driver for the CUDA of `driver_version` (as
+/// DriverApi has it; 0: any) can load: one of its major version or an older one.
+Found<NvrtcApi> open_nvrtc(int driver_version = 0);
 
 }  // namespace raywalk::cuda

@@ -15,6 +15,14 @@ std::string joined(const std::vector<std::string>& words) {
   return all;
 }
 
+/// Of compute capability, as GpuFacts has it: the first whose warps add up in one instruction.
+constexpr u32 kLeastCapability = 80;
+
+/// "8.0" of 80.
+std::string capability_text(u32 capability) {
+  return std::to_string(capability / 10) + '.' + std::to_string(capability % 10);
+}
+
 DeviceOrReason none(std::string why_not) {
   return {nullptr, std::move(why_not)};
 }
@@ -23,11 +31,15 @@ DeviceOrReason open(const std::shared_ptr<const DriverApi>& driver, const CudaCo
   int gpus = 0;
   RW_CUDA(*driver, cuDeviceGetCount, &gpus);
   if (gpus == 0) return none("The NVIDIA driver shows no GPU.");
-  const Found<NvrtcApi> nvrtc = open_nvrtc();
-  if (!nvrtc) return none(nvrtc.why_not);
-
   const auto context = std::make_shared<const Context>(driver, 0);
   const GpuFacts& gpu = context->facts();
+  if (gpu.capability < kLeastCapability) {
+    return none("The GPU " + gpu.name + " has compute capability " + capability_text(gpu.capability) + ", and " +
+                capability_text(kLeastCapability) + " or higher is needed.");
+  }
+  const Found<NvrtcApi> nvrtc = open_nvrtc(driver->version);
+  if (!nvrtc) return none(nvrtc.why_not);
+
   const std::vector<std::string> architectures = nvrtc.value->architectures();
   if (std::find(architectures.begin(), architectures.end(), gpu.architecture) == architectures.end()) {
     return none("The GPU " + gpu.name + " has the architecture " + gpu.architecture + ", and NVRTC " +

@@ -83,7 +83,18 @@ DeviceBuffer Residency::allocate(u64 size_bytes) {
       if (DeviceBuffer memory = try_once()) return memory;
     } while (drop_something());
   }
-  throw OutOfDeviceMemory(size_bytes, free_bytes());
+  // What could make way counts as free, and what is held for the same request as needed.
+  throw OutOfDeviceMemory(in_use_bytes() + size_bytes, allocated_bytes_ + free_bytes());
+}
+
+/// The mutex is held by the caller.
+u64 Residency::in_use_bytes() const {
+  u64 bytes = allocated_bytes_;
+  for (const std::vector<DeviceBuffer>* unused : {&spares_, &abandoned_})
+    for (const DeviceBuffer& buffer : *unused) bytes -= buffer.size_bytes();
+  for (const Copy* copy : copies_)
+    if (copy->holds_ == 0) bytes -= copy->memory_.size_bytes();
+  return bytes;
 }
 
 /// The mutex is held by the caller. Cheapest to lose first.

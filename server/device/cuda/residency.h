@@ -25,9 +25,11 @@ class Residency : public std::enable_shared_from_this<Residency> {
   /// The copy of this very blob, which everybody shares who asks for it; it lies on the device from its first `hold`
   /// on. Ends with its last pointer, and keeps the blob until then.
   std::shared_ptr<Copy> copy_of(const std::shared_ptr<const Blob>& blob);
-  /// Uploads unless it lies there. Throws OutOfDeviceMemory and CudaError.
+  /// Uploads unless it lies there. Throws OutOfDeviceMemory, which tells what is needed together with all that is in
+  /// use now, and CudaError.
   Held hold(const std::shared_ptr<Copy>& copy);
-  /// Working memory, uninitialised, of `size_bytes` (over 0) or more. Throws OutOfDeviceMemory and CudaError.
+  /// Working memory, uninitialised, of `size_bytes` (over 0) or more. Throws as `hold` does. What a
+  /// launch reads is held before: else this may drop it.
   Scratch scratch(u64 size_bytes);
   /// Drops everything that nobody holds; false when there was nothing.
   bool drop_all();
@@ -40,6 +42,7 @@ class Residency : public std::enable_shared_from_this<Residency> {
 
  private:
   DeviceBuffer allocate(u64 size_bytes);
+  u64 in_use_bytes() const;
   bool drop_something();
   void forget(Copy& copy);
 

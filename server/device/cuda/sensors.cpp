@@ -22,31 +22,54 @@ constexpr std::array kReasons = {
     Reason{kThrottleDisplayClocks, "display clocks"},
 };
 
-/// The value that `call` gives, 0 where the GPU has no such sensor.
-template <class Call, class... Arguments>
-unsigned sensor(Call call, Arguments... arguments) {
-  unsigned value = 0;
-  return call(arguments..., &value) == NVML_SUCCESS ? value : 0;
+/// What one reading collects; `complete` turns false with the first sensor that gives nothing.
+struct Reading {
+  bool complete = true;
+
+  template <class Call, class... Arguments>
+  unsigned of(Call call, Arguments... arguments) {
+    unsigned value = 0;
+    complete = call(arguments..., &value) == NVML_SUCCESS && complete;
+    return value;
+  }
+};
+
+std::vector<std::string> throttle_reasons(const NvmlApi& nvml, nvmlDevice_t device) {
+  u64 bits = 0;
+  if (nvml.nvmlDeviceGetCurrentClocksThrottleReasons(device, &bits) != NVML_SUCCESS) return {"unknown"};
+  std::vector<std::string> names;
+  for (const Reason& reason : kReasons)
+    if ((bits & reason.bit) != 0) names.emplace_back(reason.name);
+  return names;
 }
 
 }  // namespace
 
-Sensors::Sensors(const std::string& pci_bus_id) : nvml_(open_nvml().value) {
-  if (nvml_ && nvml_->nvmlDeviceGetHandleByPciBusId(pci_bus_id.c_str(), &device_) != NVML_SUCCESS) device_ = nullptr;
+Sensors::Sensors(const std::string& pci_bus_id) {
+  const Found<NvmlApi> nvml = open_nvml();
+  nvml_ = nvml.value;
+  why_not_ = nvml.why_not;
+  if (!nvml_) return;
+  const nvmlReturn_t result = nvml_->nvmlDeviceGetHandleByPciBusId(pci_bus_id.c_str(), &device_);
+  if (result == NVML_SUCCESS) {
+    if (!read()) why_not_ = "Not all sensors of the GPU can be read.";
+    return;
+  }
+  device_ = nullptr;
+  why_not_ = "NVML does not know the GPU " + pci_bus_id + ": " + nvml_->nvmlErrorString(result) + ".";
 }
 
 std::optional<Telemetry> Sensors::read() const {
   if (device_ == nullptr) return std::nullopt;
+  Reading sensor;
   Telemetry now;
-  now.core_clock_mhz = sensor(nvml_->nvmlDeviceGetClockInfo, device_, NVML_CLOCK_SM);
-  now.memory_clock_mhz = sensor(nvml_->nvmlDeviceGetClockInfo, device_, NVML_CLOCK_MEM);
-  now.power_w = sensor(nvml_->nvmlDeviceGetPowerUsage, device_) / 1000.0;
-  now.power_limit_w = sensor(nvml_->nvmlDeviceGetEnforcedPowerLimit, device_) / 1000.0;
-  now.temperature_c = sensor(nvml_->nvmlDeviceGetTemperature, device_, NVML_TEMPERATURE_GPU);
-  u64 bits = 0;
-  if (nvml_->nvmlDeviceGetCurrentClocksThrottleReasons(device_, &bits) != NVML_SUCCESS) bits = 0;
-  for (const Reason& reason : kReasons)
-    if ((bits & reason.bit) != 0) now.throttle_reasons.emplace_back(reason.name);
+  now.core_clock_mhz = sensor.of(nvml_->nvmlDeviceGetClockInfo, device_, NVML_CLOCK_SM);
+  now.memory_clock_mhz = sensor.of(nvml_->nvmlDeviceGetClockInfo, device_, NVML_CLOCK_MEM);
+  now.power_w = sensor.of(nvml_->nvmlDeviceGetPowerUsage, device_) / 1000.0;
+  now.power_limit_w = sensor.of(nvml_->nvmlDeviceGetEnforcedPowerLimit, device_) / 1000.0;
+  now.temperature_c = sensor.of(nvml_->nvmlDeviceGetTemperature, device_, NVML_TEMPERATURE_GPU);
+  now.throttle_reasons = throttle_reasons(*nvml_, device_);
+  if (!sensor.complete) return std::nullopt;
   return now;
 }
 

@@ -11,14 +11,18 @@ class Sensors {
  public:
   /// Of the GPU at `pci_bus_id`.
   explicit Sensors(const std::string& pci_bus_id);
-  /// Nothing where there is no NVML, or where it does not know the GPU. From any thread.
+  /// Nothing where there is no NVML, where it does not know the GPU, and where a clock, the power, its limit or the
+  /// temperature cannot be read. Throttle reasons that cannot be read are "unknown". From any thread.
   std::optional<Telemetry> read() const;
+  /// One sentence why the first reading gave nothing; empty when it gave something.
+  const std::string& why_not() const { return why_not_; }
   /// Such as "580.95.05"; empty when unknown.
   std::string driver_version() const;
 
  private:
   std::shared_ptr<const NvmlApi> nvml_;
   nvmlDevice_t device_ = nullptr;
+  std::string why_not_;
 };
 
 }  // namespace raywalk::cuda
