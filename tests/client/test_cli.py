@@ -258,6 +258,11 @@ def test_doctor_shows_a_gpu(raywalk, ready) -> None:
     [
         ("libcuda.so.1 was not found.", " → for a GPU, install NVIDIA's driver; without one the CPU renders"),
         ("There is no kernel compiler (NVRTC).", " → pip install nvidia-cuda-nvrtc"),
+        (
+            "The kernel compiler NVRTC (libnvrtc.so.13) is too new for the driver: it is 13.0, and the driver supports "
+            "CUDA 12.8.",
+            " → pip install 'nvidia-cuda-nvrtc-cu12>=12.4'",
+        ),
         ("The driver shows no device of it all.", " → for a GPU, install NVIDIA's driver; without one the CPU renders"),
         ("It is a toy.", ""),
     ],

@@ -58,26 +58,27 @@ TELLS = "import os, pathlib; pathlib.Path(os.environ['TOLD']).write_text(os.envi
 
 
 @pytest.mark.parametrize(
-    ("variable", "wheel", "told"),
+    ("variable", "wheels", "told"),
     [
-        (None, "/w/libnvrtc.so.13", "/w/libnvrtc.so.13"),
-        ("/own.so", "/w/libnvrtc.so.13", "/own.so"),
-        (None, None, "none"),
+        (None, ["/w/libnvrtc.so.13"], "/w/libnvrtc.so.13"),
+        (None, ["/w/libnvrtc.so.13", "/w/libnvrtc.so.12"], "/w/libnvrtc.so.13:/w/libnvrtc.so.12"),
+        ("/own.so", ["/w/libnvrtc.so.13"], "/own.so"),
+        (None, [], "none"),
     ],
 )
-def test_names_the_kernel_compiler_of_python(tmp_path, monkeypatch, variable, wheel, told) -> None:
+def test_names_the_kernel_compiler_of_python(tmp_path, monkeypatch, variable, wheels, told) -> None:
     monkeypatch.setenv("TOLD", str(tmp_path / "told"))
-    monkeypatch.setattr(nvrtc, "wheel_library", lambda: wheel and Path(wheel))
+    monkeypatch.setattr(nvrtc, "wheel_libraries", lambda: [Path(wheel) for wheel in wheels])
     monkeypatch.setenv("RAYWALK_NVRTC", variable) if variable else monkeypatch.delenv("RAYWALK_NVRTC", raising=False)
     with LocalDaemon(script(tmp_path, TELLS + SERVER)):
         assert (tmp_path / "told").read_text() == told
 
 
 def test_finds_the_kernel_compiler_of_python(monkeypatch) -> None:
-    library = nvrtc.wheel_library()
-    assert library is not None and library.is_file() and library.name.startswith("libnvrtc.so.")
+    libraries = nvrtc.wheel_libraries()
+    assert libraries and all(path.is_file() and path.name.startswith("libnvrtc.so.") for path in libraries)
     monkeypatch.setattr(nvrtc, "WHEELS", ("no-such-wheel",))
-    assert nvrtc.wheel_library() is None
+    assert nvrtc.wheel_libraries() == []
 
 
 def test_stops_after_an_exception(tmp_path) -> None:

@@ -104,7 +104,7 @@ def gpu_advice(reason: str) -> str:
     """What the daemon's reason calls for; nothing for one that no installation mends."""
     text = reason.lower()
     if "nvrtc" in text:
-        return nvrtc.ADVICE
+        return nvrtc.CUDA12_ADVICE if "supports cuda 12." in text else nvrtc.ADVICE
     if "libcuda" in text or "driver" in text:
         return "for a GPU, install NVIDIA's driver; without one the CPU renders"
     return ""

@@ -75,5 +75,5 @@ def compile_kernels(architectures: Sequence[str], program: Path | None = None) -
 
 def failure(code: int, words: str) -> str:
     text = words if len(words) <= WORDS else f"{words[:WORDS]} …"
-    advice = f"\n  {nvrtc.ADVICE}" if "NVRTC" in words and nvrtc.wheel_library() is None else ""
+    advice = f"\n  {nvrtc.ADVICE}" if "NVRTC" in words and not nvrtc.wheel_libraries() else ""
     return f"the kernels could not be compiled (exit code {code}): {text or 'no cause given'}{advice}"
