@@ -46,7 +46,9 @@ FlagsOrExit parse_flags(int argc, char** argv) {
   app.add_option("--device", flags.device, "What renders.")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}));
-  app.add_option("--state", flags.state_dir, "Folder for the daemon's files; made when missing.");
+  app.add_option("--state", flags.state_dir,
+                 "Folder for the daemon's files, made when missing (default: raywalk in $XDG_STATE_HOME, "
+                 "or in .local/state of the home).");
   app.add_option("--kernel-cache", flags.kernel_cache_dir,
                  "Folder for compiled GPU kernels (default: <state>/kernels).");
   app.add_option("--device-memory-mib", flags.device_memory_mib, "Most memory to use of a GPU; 0 takes what it has.")

@@ -79,7 +79,7 @@ int run(const Flags& flags) {
   const store::FolderLock lock(flags.state_dir);
   store::Store store(flags.state_dir);
 
-  const Devices devices = open_devices(flags);
+  const Devices devices = open_devices(flags, store.crashed_device());
   Device& device = *devices.rendering;
   DeviceQueue queue(device, {.on_lost = [](const std::string& cause) {
                       spdlog::critical("the device is lost: {}", cause);
@@ -112,7 +112,7 @@ int run(const Flags& flags) {
 
   const int port = server.bind();
   write_port_file(flags.port_file, port);
-  store.begin_session();
+  store.begin_session(device.info().kind);
   residency.begin();
   const ShutdownWatch watch([&] {
     if (shutdown_exit_code() == kDone) store.end_session();

@@ -23,7 +23,8 @@ class NoDevice : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws NoDevice. What auto falls back to is logged.
-Devices open_devices(const Flags& flags);
+/// `crashed_device` is the kind of device that the daemon before had when it crashed, or empty. Throws NoDevice. What
+/// auto falls back to is logged.
+Devices open_devices(const Flags& flags, const std::string& crashed_device);
 
 }  // namespace raywalk

@@ -94,8 +94,10 @@ def pack(bundle: Path) -> Path:
         ["git", "-C", ROOT, "log", "-1", "--format=%ct"], capture_output=True, text=True, check=False
     ).stdout.strip()
     owner = ["--owner=0", "--group=0", "--numeric-owner", "--sort=name", f"--mtime=@{seconds or 0}"]
-    places = [f"--file={archive}", f"--directory={bundle.parent}", bundle.name]
+    partial = archive.with_name(archive.name + ".new")
+    places = [f"--file={partial}", f"--directory={bundle.parent}", bundle.name]
     subprocess.run(["tar", "--create", "--use-compress-program=xz -1 --threads=0", *owner, *places], check=True)
+    partial.replace(archive)
     return archive
 
 

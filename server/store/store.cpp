@@ -11,7 +11,7 @@ namespace {
 constexpr u64 kVersion = 1;  // of the schema
 
 constexpr const char* kSchema = R"(
-  CREATE TABLE session (ended INTEGER NOT NULL);
+  CREATE TABLE session (ended INTEGER NOT NULL, device TEXT NOT NULL);
   CREATE TABLE jobs (
     number INTEGER PRIMARY KEY AUTOINCREMENT, id TEXT NOT NULL UNIQUE, kind TEXT NOT NULL, spec BLOB NOT NULL,
     state TEXT NOT NULL, stage TEXT NOT NULL, key BLOB NOT NULL, attempt INTEGER NOT NULL, version INTEGER NOT NULL,
@@ -23,7 +23,7 @@ constexpr const char* kSchema = R"(
   CREATE TABLE resident_structures (
     id TEXT PRIMARY KEY, scene TEXT NOT NULL REFERENCES resident_scenes (name) ON DELETE CASCADE, kind TEXT NOT NULL,
     options BLOB NOT NULL);
-  INSERT INTO session VALUES (1);
+  INSERT INTO session VALUES (1, '');
 )";
 
 u64 number_of(Database& database, const char* sql) {
@@ -80,11 +80,13 @@ Store::Store(const std::filesystem::path& folder) {
     open_sound(database_, file);
   }
   crashed_before_ = number_of(*database_, "SELECT ended FROM session") == 0;
+  Statement device = database_->statement("SELECT device FROM session");
+  if (crashed_before_ && device.next()) crashed_device_ = device.read_text();
 }
 
-void Store::begin_session() {
+void Store::begin_session(const std::string& device) {
   const std::lock_guard lock(mutex_);
-  database_->run("UPDATE session SET ended = 0");
+  database_->statement("UPDATE session SET ended = 0, device = ?").text(device).run();
 }
 
 void Store::end_session() {

@@ -51,8 +51,10 @@ class Store {
 
   /// The session before was not ended.
   bool crashed_before() const { return crashed_before_; }
-  /// From now on the daemon serves.
-  void begin_session();
+  /// The kind of device that the crashed session had; empty when it did not crash.
+  const std::string& crashed_device() const { return crashed_device_; }
+  /// From now on the daemon serves, with a device of this kind.
+  void begin_session(const std::string& device);
   /// The daemon stops because it was told to. Throws nothing: a failure is logged.
   void end_session();
 
@@ -83,6 +85,7 @@ class Store {
   std::mutex mutex_;
   std::optional<Database> database_;
   bool crashed_before_ = false;
+  std::string crashed_device_;
 };
 
 }  // namespace raywalk::store

@@ -12,6 +12,7 @@ namespace raywalk {
 namespace {
 
 constexpr time_t kDeadlineSeconds = 8;
+constexpr std::chrono::milliseconds kRepeats{500};  // one stop may send several signals
 constexpr std::chrono::seconds kSoon{1};
 
 std::atomic<int> exit_code_of_process{0};
@@ -27,9 +28,12 @@ sigset_t shutdown_signals() {
 /// The daemon keeps nothing that an abrupt end could harm.
 void end_at_deadline() {
   const sigset_t set = shutdown_signals();
-  const timespec deadline{kDeadlineSeconds, 0};
-  sigtimedwait(&set, nullptr, &deadline);
-  spdlog::warn("work did not end in time; leaving it");
+  std::this_thread::sleep_for(kRepeats);
+  const timespec now{0, 0}, deadline{kDeadlineSeconds, 0};
+  while (sigtimedwait(&set, nullptr, &now) > 0) {
+  }
+  const bool signalled = sigtimedwait(&set, nullptr, &deadline) > 0;
+  spdlog::warn(signalled ? "another signal; leaving unfinished work" : "work did not end in time; leaving it");
   _exit(exit_code_of_process);
 }
 
@@ -59,7 +63,11 @@ ShutdownWatch::ShutdownWatch(std::function<void()> stop)
         int signal = 0;
         sigwait(&set, &signal);
         if (unused_) return;
-        spdlog::info("stopping: signal {}", signal);
+        if (exit_code_of_process == 0) {
+          spdlog::info("stopping: signal {}", signal);
+        } else {
+          spdlog::info("stopping, with exit code {}", exit_code_of_process.load());
+        }
         std::thread(end_at_deadline).detach();
         stop();
       }) {}

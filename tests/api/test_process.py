@@ -79,7 +79,7 @@ def test_no_gpu_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     command = [find_daemon(), "--port", "0", "--state", str(tmp_path), "--device", "cuda"]
     ended = subprocess.run(command, capture_output=True, text=True, timeout=20)
     assert ended.returncode == 3
-    assert ended.stderr.startswith("raywalkd: There is no GPU for --device cuda. "), ended.stderr
+    assert ended.stderr.startswith("raywalkd: --device cuda cannot be had. "), ended.stderr
     assert ended.stderr.count("\n") == 1, ended.stderr
 
 

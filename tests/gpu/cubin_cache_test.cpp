@@ -110,6 +110,15 @@ TEST(CubinCache, AFileOfAnotherKeyIsNotUsed) {
   EXPECT_TRUE(cache.load("a"));
 }
 
+TEST(CubinCache, AFolderInAnEntrysPlaceIsNoEntry) {
+  const test::Folder folder;
+  fs::create_directory(folder.path() / "k.kernel");
+  const CubinCache cache(folder.path());
+  EXPECT_FALSE(cache.load("k"));
+  cache.store("k", sample(10, 1));
+  EXPECT_FALSE(cache.load("k"));
+}
+
 TEST(CubinCache, AFolderThatCannotBeWrittenIsToldOnce) {
   const CapturedLog log;
   const test::Folder folder;

@@ -3,6 +3,8 @@
 On the fake driver always, on a real one where there is one: there the daemon launches a kernel that traps."""
 
 import ctypes
+import os
+import signal
 import time
 from pathlib import Path
 
@@ -10,21 +12,25 @@ import httpx2
 import pytest
 
 from tests.api.conftest import START_LIMIT_S, Daemon, find_daemon
-from tests.api.test_restart import RESTART_LIMIT_S, result_bytes, supervised
+from tests.api.test_restart import RESTART_LIMIT_S, child_of, result_bytes, supervised
 
 SPEC = {"scene": "soup", "width": 32, "height": 32, "frames": 2, "warmup": 0, "error_frames": 1, "batch": 0}
 SPEC |= {"modes": ["primary"], "techniques": [{"structure": "bvh", "traversal": "while-while"}]}
 FAILING_LAUNCH = 200  # later than the small jobs of one daemon reach
 
 
+def fake_driver() -> Path:
+    library = find_daemon().parents[1] / "tests/libfake_cuda.so"
+    if not library.is_file():
+        pytest.skip(f"{library} is not built")
+    return library
+
+
 @pytest.fixture(params=["fake driver", "real driver"])
 def fault(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> tuple[str, ...]:
     """Flags of a daemon whose GPU fails at launch FAILING_LAUNCH."""
     if request.param == "fake driver":
-        library = find_daemon().parents[1] / "tests/libfake_cuda.so"
-        if not library.is_file():
-            pytest.skip(f"{library} is not built")
-        monkeypatch.setenv("RAYWALK_LIBCUDA", str(library))
+        monkeypatch.setenv("RAYWALK_LIBCUDA", str(fake_driver()))
         monkeypatch.setenv("FAKE_CUDA_FAIL_LAUNCH", str(FAILING_LAUNCH))
         return ("--device", "cuda")
     try:
@@ -70,3 +76,21 @@ def test_a_fault_in_mid_job(tmp_path: Path, fault: tuple[str, ...]) -> None:
         _, errors = daemon.process.communicate(timeout=START_LIMIT_S)
         assert daemon.process.returncode == 0, errors
         assert "exit code 5" in errors, errors
+
+
+def test_a_gpu_that_is_gone_is_not_replaced_by_the_cpu(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Jobs that waited for the GPU would be measured on something else."""
+    driver = tmp_path / "libcuda.so"
+    driver.symlink_to(fake_driver())
+    monkeypatch.setenv("RAYWALK_LIBCUDA", str(driver))
+    with supervised(tmp_path / "state", "--device", "auto") as daemon:
+        assert daemon.json("GET", "/v1/system", 200)["device"]["kind"] == "cuda"
+        driver.unlink()
+        child = child_of(daemon.process)
+        assert child is not None
+        os.kill(child, signal.SIGKILL)
+        _, errors = daemon.process.communicate(timeout=RESTART_LIMIT_S)
+        assert daemon.process.returncode == 3, errors
+        assert "used a GPU; --device cpu goes on without it" in errors, errors
+    with supervised(tmp_path / "state", "--device", "cpu") as daemon:
+        assert daemon.json("GET", "/v1/system", 200)["device"]["kind"] == "cpu"

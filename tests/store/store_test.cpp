@@ -118,11 +118,13 @@ TEST_F(StoreTest, KeepsTheBytesOfResults) {
 TEST_F(StoreTest, KnowsACrashFromAnEnd) {
   EXPECT_FALSE(Store(folder).crashed_before()) << "nothing was before";
   EXPECT_FALSE(Store(folder).crashed_before()) << "one that never served did not crash";
-  Store(folder).begin_session();
+  Store(folder).begin_session("cuda");
   EXPECT_TRUE(Store(folder).crashed_before());
+  EXPECT_EQ(Store(folder).crashed_device(), "cuda");
   Store(folder).end_session();
   Store after(folder);
   EXPECT_FALSE(after.crashed_before());
+  EXPECT_EQ(after.crashed_device(), "");
 }
 
 TEST_F(StoreTest, ResidentScenesAndStructures) {
@@ -150,7 +152,7 @@ TEST_F(StoreTest, ResidentScenesAndStructures) {
   ASSERT_EQ(resident.structures.size(), 1u);
   EXPECT_EQ(resident.structures[0].id, "soup.bvh");
   EXPECT_EQ(resident.structures[0].options, "{\"leaf\":4}");
-  EXPECT_EQ(Store(folder).resident().structures.size(), 1u) << "reading leaves it there";
+  EXPECT_EQ(store.resident().structures.size(), 1u) << "reading leaves it there";
   store.forget_resident();
   const Resident rest = store.resident();
   EXPECT_TRUE(rest.scenes.empty());
@@ -200,7 +202,7 @@ TEST_F(StoreTest, ATornLogLosesNothingThatCameBefore) {
   std::filesystem::create_directory(copy);
   {
     Store store(folder);
-    store.begin_session();
+    store.begin_session("cpu");
     store.save(job_named("j1"), {"json", "csv"});
     store.save(job_named("j2"));
     for (const char* file : {"raywalk.db", "raywalk.db-wal"}) {

@@ -7,7 +7,7 @@
 
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "server/system/sha256.h"
 
@@ -114,8 +114,9 @@ std::optional<Compiled> CubinCache::load(const std::string& key) const {
   if (dir_.empty()) return std::nullopt;
   std::ifstream in(file_of(key), std::ios::binary);
   if (!in) return std::nullopt;
-  const std::string file(std::istreambuf_iterator<char>(in), {});
-  std::optional<Compiled> compiled = parse(file, key);
+  std::ostringstream file;
+  file << in.rdbuf();  // of a folder, or where reading fails, as much as there is
+  std::optional<Compiled> compiled = parse(file.str(), key);
   if (!compiled) {
     spdlog::warn("kernel cache: {} is damaged or of another version; it is made anew", file_of(key).string());
   }
