@@ -81,6 +81,21 @@ Json to_json(const SceneEntry& entry) {
   return json;
 }
 
+namespace {
+
+/// The figures of a build that found too little device memory.
+void add_shortage(const std::exception_ptr& device_error, Json& json) {
+  try {
+    std::rethrow_exception(device_error);
+  } catch (const OutOfDeviceMemory& e) {
+    if (e.needed_bytes() > 0) json["needed_bytes"] = e.needed_bytes();  // 0: not known
+    json["free_bytes"] = e.free_bytes();
+  } catch (const DeviceLost&) {  // its text says it all
+  }
+}
+
+}  // namespace
+
 Json to_json(const StructureRecord& record, const std::vector<KindInfo>& kinds) {
   Json json = {{"id", record.id},
                {"scene", record.scene},
@@ -88,6 +103,7 @@ Json to_json(const StructureRecord& record, const std::vector<KindInfo>& kinds) 
                {"options", options_json(kind_named(kinds, record.kind, "").options, record.options)},
                {"state", state_name(record.state)}};
   if (!record.error.empty()) json["error"] = record.error;
+  if (record.device_error) add_shortage(record.device_error, json);
   if (!record.structure) return json;
   const BuildStats& stats = record.structure->stats();
   json["nodes"] = stats.nodes;

@@ -50,7 +50,7 @@ void Structures::build_now(Device& device, Entry& entry) {
   entry.record.structure = std::move(structure);
   entry.record.state = error.empty() ? State::ready : State::failed;
   entry.record.error = std::move(error);
-  entry.device_error = device_error;
+  entry.record.device_error = device_error;
   const auto found = entries_.find(entry.record.id);
   const bool evicted = found == entries_.end() || found->second.get() != &entry;
   if (entry.record.structure && !evicted) on_change_(entry.record);
@@ -94,7 +94,7 @@ StructureRecord Structures::build_and_wait(const ScenePtr& scene, const std::str
   entry->ended.get();
   const std::lock_guard lock(mutex_);
   if (entry->record.state == State::failed) {
-    if (entry->device_error) std::rethrow_exception(entry->device_error);
+    if (entry->record.device_error) std::rethrow_exception(entry->record.device_error);
     throw Refusal(Refusal::Why::conflict, "build_failed",
                   "Building '" + entry->record.id + "' failed: " + entry->record.error);
   }
@@ -133,6 +133,7 @@ StructurePtr Structures::ready(const ScenePtr& scene, const std::string& ref, co
   if (found == entries_.end() || found->second->scene != scene)
     refuse_not_built(name, kind.name, State::ready, "", pointer);
   const StructureRecord& record = found->second->record;
+  if (record.device_error) std::rethrow_exception(record.device_error);
   if (record.state != State::ready) refuse_not_built(name, kind.name, record.state, record.error, pointer);
   return record.structure;
 }

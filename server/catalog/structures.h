@@ -26,8 +26,9 @@ struct StructureRecord {
   OptionValues options;
   u64 triangles = 0;  // of the scene
   State state = State::building;
-  std::string error;       // when failed
-  StructurePtr structure;  // when ready
+  std::string error;                // when failed
+  std::exception_ptr device_error;  // when that was OutOfDeviceMemory or DeviceLost
+  StructurePtr structure;           // when ready
 };
 
 class Structures {
@@ -51,7 +52,7 @@ class Structures {
   /// Throws Refusal unknown_structure.
   StructureRecord find(const std::string& id) const;
   /// `ref` is a kind (with its default options) or an id, and `pointer` where the request names it. Throws Refusal
-  /// unknown_kind, foreign_structure, or structure_not_built.
+  /// unknown_kind, foreign_structure, or structure_not_built; OutOfDeviceMemory or DeviceLost where the build did.
   StructurePtr ready(const ScenePtr& scene, const std::string& ref, const std::string& pointer) const;
 
   /// Throws Refusal unknown_structure.
@@ -67,7 +68,6 @@ class Structures {
     StructureRecord record;
     ScenePtr scene;
     std::shared_future<void> ended;
-    std::exception_ptr device_error;  // OutOfDeviceMemory, DeviceLost
   };
   using EntryPtr = std::shared_ptr<Entry>;
 

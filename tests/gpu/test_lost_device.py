@@ -11,7 +11,7 @@ from pathlib import Path
 import httpx2
 import pytest
 
-from tests.api.conftest import START_LIMIT_S, Daemon, find_daemon
+from tests.api.conftest import START_LIMIT_S, Daemon
 from tests.api.test_restart import RESTART_LIMIT_S, child_of, result_bytes, supervised
 
 SPEC = {"scene": "soup", "width": 32, "height": 32, "frames": 2, "warmup": 0, "error_frames": 1, "batch": 0}
@@ -19,18 +19,11 @@ SPEC |= {"modes": ["primary"], "techniques": [{"structure": "bvh", "traversal": 
 FAILING_LAUNCH = 200  # later than the small jobs of one daemon reach
 
 
-def fake_driver() -> Path:
-    library = find_daemon().parents[1] / "tests/libfake_cuda.so"
-    if not library.is_file():
-        pytest.skip(f"{library} is not built")
-    return library
-
-
 @pytest.fixture(params=["fake driver", "real driver"])
-def fault(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> tuple[str, ...]:
+def fault(request: pytest.FixtureRequest, fake_driver: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[str, ...]:
     """Flags of a daemon whose GPU fails at launch FAILING_LAUNCH."""
     if request.param == "fake driver":
-        monkeypatch.setenv("RAYWALK_LIBCUDA", str(fake_driver()))
+        monkeypatch.setenv("RAYWALK_LIBCUDA", str(fake_driver))
         monkeypatch.setenv("FAKE_CUDA_FAIL_LAUNCH", str(FAILING_LAUNCH))
         return ("--device", "cuda")
     try:
@@ -78,10 +71,12 @@ def test_a_fault_in_mid_job(tmp_path: Path, fault: tuple[str, ...]) -> None:
         assert "exit code 5" in errors, errors
 
 
-def test_a_gpu_that_is_gone_is_not_replaced_by_the_cpu(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_gpu_that_is_gone_is_not_replaced_by_the_cpu(
+    tmp_path: Path, fake_driver: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Jobs that waited for the GPU would be measured on something else."""
     driver = tmp_path / "libcuda.so"
-    driver.symlink_to(fake_driver())
+    driver.symlink_to(fake_driver)
     monkeypatch.setenv("RAYWALK_LIBCUDA", str(driver))
     with supervised(tmp_path / "state", "--device", "auto") as daemon:
         assert daemon.json("GET", "/v1/system", 200)["device"]["kind"] == "cuda"

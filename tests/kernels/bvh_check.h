@@ -6,8 +6,8 @@
 
 #include "kernels/accel/brute/traverse.h"
 #include "kernels/accel/bvh/build.h"
-#include "kernels/accel/traversals.h"
 #include "kernels/accel/bvh/while_while.h"
+#include "kernels/accel/traversals.h"
 #include "kernels/counter.h"
 #include "tests/support/meshes.h"
 

@@ -1,4 +1,4 @@
-"""Measures a GPU daemon and writes tests/gpu/RESULTS.md; run it on the machine with the GPU.
+"""Measures a GPU daemon and prints the goals and tables of tests/gpu/RESULTS.md; run it on the machine with the GPU.
 
     python tests/measure/gpu.py [--daemon bin/raywalkd] [--frames 400] [--out RESULTS.md]
 

@@ -145,6 +145,7 @@ TEST_F(StructuresTest, AFullDeviceIsToldWithBothFigures) {
   const std::string error = structures_.find("a.bvh").error;
   EXPECT_NE(error.find("2000"), std::string::npos) << error;
   EXPECT_NE(error.find("1000"), std::string::npos) << error;
+  EXPECT_THROW(structures_.ready(scene_, "bvh", "/structure"), OutOfDeviceMemory);
   device_.memory_is_full = false;
   EXPECT_EQ(structures_.build_and_wait(scene_, "bvh", {}).state, StructureRecord::State::ready);
 }

@@ -343,6 +343,14 @@ class Structure(BaseModel):
     """
     Cause when failed.
     """
+    needed_bytes: int | None = None
+    """
+    Of device memory, when there was too little; absent when not known.
+    """
+    free_bytes: int | None = None
+    """
+    Of device memory, when there was too little.
+    """
     nodes: int | None = None
     """
     Inner nodes and leaves; cells of a grid.
