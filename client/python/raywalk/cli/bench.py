@@ -64,7 +64,7 @@ def scene_of(scene: str | None, table: int) -> str:
 
 def kernel_of(text: str | None, table: int, registers: str | None) -> Options:
     """Kernel options, checked against the options that exclude each other."""
-    kernel = options(words(text or "")) or {}
+    kernel = options(words(text or ""), "registers=64") or {}
     if text is not None and not kernel:
         raise typer.BadParameter(f"{text!r} are no kernel options like registers=64,block=128")
     if table == KERNELS and REGISTERS in kernel:

@@ -114,13 +114,15 @@ def technique(text: str) -> tuple[str, str]:
     return structure, traversal
 
 
-def options(given: list[str] | None) -> dict[str, float | str] | None:
-    """name=value pairs; what looks like a number is one."""
+def options(given: list[str] | None, example: str = "bins=32") -> dict[str, float | str] | None:
+    """name=value pairs, each name once; what looks like a number is one."""
     parsed: dict[str, float | str] = {}
     for pair in given or []:
         name, equals, value = pair.partition("=")
-        if not (name and equals):
-            raise typer.BadParameter(f"{pair!r} is no option like bins=32")
+        if not (name and equals and value):
+            raise typer.BadParameter(f"{pair!r} is no option like {example}")
+        if name in parsed:
+            raise typer.BadParameter(f"{name!r} is given twice")
         try:
             number = float(value)
         except ValueError:
