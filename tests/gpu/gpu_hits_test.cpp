@@ -171,18 +171,17 @@ TEST_F(GpuHits, OfTheOtherTriangleTestAreNearlyTheSame) {
   }
 }
 
-TEST_F(GpuHits, AreTheCpusOnTheBunny) {
-  const std::filesystem::path file = test::bunny_file();
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original bunny is not at " << file;
-  const SceneBlob scene = std::make_shared<const Blob>(pack(load_mesh(file)));
+/// Primary hits of every traversal against those of the CPU, bit for bit.
+void expect_the_same(Device& cpu, Device& gpu, const std::filesystem::path& mesh) {
+  const SceneBlob scene = std::make_shared<const Blob>(pack(load_mesh(mesh)));
   const Box bounds = scene->header<SceneHeader>().bounds;
   PrimaryHits expected;
-  cpu().trace_primary(test::bunny_job(bounds, cpu().build(scene, "bvh", {}), "while-while"), expected);
+  cpu.trace_primary(test::bunny_job(bounds, cpu.build(scene, "bvh", {}), "while-while"), expected);
   for (const TraversalType& type : traversal_types()) {
     if (type.structure == "brute") continue;
-    const auto structure = gpu().build(scene, std::string(type.structure), {});
+    const auto structure = gpu.build(scene, std::string(type.structure), {});
     PrimaryHits hits;
-    gpu().trace_primary(test::bunny_job(bounds, structure, std::string(type.traversal)), hits);
+    gpu.trace_primary(test::bunny_job(bounds, structure, std::string(type.traversal)), hits);
     size_t different = 0, met = 0;
     for (size_t i = 0; i < hits.hits.size(); ++i) {
       different += !same_bits(hits.hits[i], expected.hits[i]);
@@ -191,6 +190,18 @@ TEST_F(GpuHits, AreTheCpusOnTheBunny) {
     EXPECT_EQ(different, 0u) << name_of(type);
     EXPECT_GT(met, 20000u);
   }
+}
+
+TEST_F(GpuHits, AreTheCpusOnTheBunny) {
+  const std::filesystem::path file = test::bunny_file();
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original bunny is not at " << file;
+  expect_the_same(cpu(), gpu(), file);
+}
+
+TEST_F(GpuHits, AreTheCpusOnTheDragon) {
+  const std::filesystem::path file = test::data_file("dragon/dragon_vrip_res2.ply.gz");
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the original dragon is not at " << file;
+  expect_the_same(cpu(), gpu(), file);
 }
 
 }  // namespace

@@ -21,12 +21,15 @@ inline FrameJob room_job(const std::shared_ptr<const Structure>& structure, cons
 }
 
 /// The original bunny, where the scene data are; it may be missing.
-inline std::filesystem::path bunny_file() {
+inline std::filesystem::path data_file(const char* place) {
   const char* data = std::getenv("RAYWALK_SCENE_DATA");
-  return std::filesystem::path(data ? data : "scenes/data") / "bunny" / "bun_zipper.ply";
+  return std::filesystem::path(data ? data : "scenes/data") / place;
+}
+inline std::filesystem::path bunny_file() {
+  return data_file("bunny/bun_zipper.ply");
 }
 
-/// The whole bunny, 512 x 512.
+/// The whole bunny, or the dragon, 512 x 512.
 inline FrameJob bunny_job(const Box& bounds, const std::shared_ptr<const Structure>& structure,
                           const std::string& traversal) {
   FrameJob job = room_job(structure, traversal, Mode::primary);
