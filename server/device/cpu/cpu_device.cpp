@@ -1,5 +1,4 @@
 // The CPU device: kernels and Embree behind one interface.
-#include <chrono>
 #include <fstream>
 #include <mutex>
 #include <stdexcept>
@@ -8,19 +7,10 @@
 #include "server/device/cpu/cpu_kind.h"
 #include "server/device/cpu/tile_runner.h"
 #include "server/device/outputs.h"
+#include "server/system/stopwatch.h"
 
 namespace raywalk {
 namespace {
-
-class Stopwatch {
- public:
-  double ms() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");

@@ -1,12 +1,12 @@
 // Embree as a kind of structure: the fast CPU engine, and an independent reference.
 #include <atomic>
-#include <chrono>
 #include <stdexcept>
 
 #include "kernels/frame_cpu.h"
 #include "kernels/shade/direct_batch.h"
 #include "server/device/cpu/cpu_kind.h"
 #include "server/device/cpu/embree_tracer.h"
+#include "server/system/stopwatch.h"
 
 namespace raywalk {
 namespace {
@@ -54,7 +54,7 @@ RTCScene scene_of(const void* structure) {
 }
 
 std::shared_ptr<const CpuStructure> build(std::shared_ptr<const Blob> scene, const Kind*, const OptionValues& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   EmbreeDevice& device = EmbreeDevice::instance();
   const u64 bytes_before = device.bytes();
   const SceneView view{scene->data()};
@@ -90,7 +90,7 @@ std::shared_ptr<const CpuStructure> build(std::shared_ptr<const Blob> scene, con
   BuildStats stats;
   stats.references = count;
   stats.size_bytes = device.bytes() - bytes_before + indices.size() * sizeof(u32);
-  stats.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  stats.build_ms = watch.ms();
   return std::make_shared<EmbreeStructure>(std::move(scene), std::move(indices), handle, stats);
 }
 

@@ -2,11 +2,11 @@
 #include "server/device/cuda/cuda_device.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "server/device/cuda/kernel_options.h"
 #include "server/device/cuda/structure.h"
 #include "server/device/outputs.h"
+#include "server/system/stopwatch.h"
 
 namespace raywalk::cuda {
 namespace {
@@ -196,9 +196,9 @@ void CudaDevice::render(const FrameJob& job, Frame& frame) {
     const OnDevice data = hold(job);
     const Residency::Scratch pixels = memory_->scratch(bytes);
     frame.trace_ms = shade({&job, 1}, data, pixels);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     readback_.copy(pixels.address(), frame.pixels.data(), bytes);
-    frame.readback_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    frame.readback_ms = watch.ms();
   });
 }
 

@@ -1,11 +1,9 @@
 // Compiles many kernels on all processors.
 #include "server/device/cuda/kernel_listing.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "server/device/cuda/kernel_options.h"
 #include "server/device/cuda/nvrtc_api.h"
@@ -18,35 +16,9 @@ void check_architectures(const NvrtcApi& nvrtc, const std::vector<std::string>& 
   const std::vector<std::string> known = nvrtc.architectures();
   for (const std::string& name : wanted) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    std::string list;
-    for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
     throw UnknownArchitecture("NVRTC " + nvrtc.version() + " does not know the architecture '" + name + "'; it knows " +
-                              list + ".");
+                              joined(known) + ".");
   }
-}
-
-/// Calls `work(i)` for every i below `count`, on all processors; the first exception ends it and is thrown again.
-template <class Work>
-void in_parallel(size_t count, const Work& work) {
-  std::atomic<size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr failure;
-  const auto loop = [&] {
-    for (size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (u32 i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(loop);
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace
@@ -76,8 +48,9 @@ std::vector<ListedKernel> list_kernels(const std::shared_ptr<const NvrtcApi>& nv
   std::vector<std::unique_ptr<const Compiler>> compilers;  // a cache that cannot be written says so once each
   for (const std::string& name : architectures)
     compilers.push_back(std::make_unique<const Compiler>(nvrtc, name, cache_dir));
-  in_parallel(reports.size(),
-              [&](size_t i) { reports[i] = compilers[i / specs.size()]->compile(specs[i % specs.size()]).entries; });
+  tbb::parallel_for(size_t{0}, reports.size(), [&](size_t i) {
+    reports[i] = compilers[i / specs.size()]->compile(specs[i % specs.size()]).entries;
+  });
 
   std::vector<ListedKernel> rows;
   for (size_t i = 0; i < reports.size(); ++i) {

@@ -98,6 +98,12 @@ std::vector<std::string> NvrtcApi::architectures() const {
   return names;
 }
 
+std::string joined(const std::vector<std::string>& architectures) {
+  std::string all;
+  for (const std::string& name : architectures) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
 std::vector<std::string> nvrtc_places() {
   std::vector<std::string> names;
   std::istringstream named(environment("RAYWALK_NVRTC"));

@@ -49,6 +49,9 @@ struct NvrtcApi {
   std::vector<std::string> architectures() const;
 };
 
+/// As a sentence lists them: "sm_80, sm_90".
+std::string joined(const std::vector<std::string>& architectures);
+
 /// The oldest NVRTC that is good enough, as 1000 * major + 10 * minor: 12.4 is the first that knows __maxnreg__.
 constexpr int kOldestNvrtc = 12040;
 

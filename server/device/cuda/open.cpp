@@ -9,12 +9,6 @@ namespace {
 
 using namespace cuda;
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
-}
-
 /// Of compute capability, as GpuFacts has it: the first whose warps add up in one instruction.
 constexpr u32 kLeastCapability = 80;
 
