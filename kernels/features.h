@@ -10,7 +10,8 @@ enum Feature : u32 {
   kFeatureReflection = 1u << 2,  // mirrors
   kFeatureRefraction = 1u << 3,  // glass
   kFeatureManyLights = 1u << 4,  // more than one light
+  kFeatureTextures = 1u << 5,
 };
-constexpr u32 kAllFeatures = (1u << 5) - 1;
+constexpr u32 kAllFeatures = (1u << 6) - 1;
 
 }  // namespace raywalk

@@ -1,4 +1,4 @@
-// The scene as kernels see it: one blob of triangles, materials and lights. Colours are linear RGB.
+// The scene as kernels see it: one blob of triangles, materials, textures and lights. Colours are linear RGB.
 #pragma once
 #include "kernels/blob.h"
 #include "kernels/vec.h"
@@ -16,21 +16,37 @@ struct alignas(16) Corners {
   u32 pad1;
 };
 
-/// Vertex indices (into normals, when there are any) and the material of one triangle.
+/// Vertex indices (into normals and texture coordinates, when there are any) and the material of one triangle.
 struct TriangleIndices {
   u32 a, b, c;
   u32 material;
 };
 
-/// Phong with Whitted's mirror and glass terms. All in [0, 1] except shininess (exponent) and ior (> 0).
+/// Texture coordinates: (0, 0) is the upper left corner of the image, (1, 1) its lower right one; they repeat.
+struct TexCoord {
+  float s, t;
+};
+
+constexpr u32 kNoTexture = 0xffffffffu;
+
+/// Phong with Whitted's mirror and glass terms. Colours are in [0, 1] except emission (>= 0); shininess is an exponent,
+/// ior > 0.
 struct Material {
   Vec3 ambient;
   Vec3 diffuse;
   Vec3 specular;
   Vec3 reflection;    // weight of the mirrored ray
   Vec3 transmission;  // weight of the refracted ray
+  Vec3 emission;      // added whatever the lights do
   float shininess;
   float ior;
+  u32 texture;  // its colour multiplies ambient and diffuse; kNoTexture for none
+};
+
+/// One image among the texels.
+struct TextureImage {
+  u32 width, height;
+  u64 first_texel;  // of its upper left corner; rows run top down
 };
 
 /// Point light without attenuation.
@@ -50,6 +66,10 @@ struct SceneHeader {
   Slice<Vec3> normals;  // one a vertex, or none at all
   Slice<Material> materials;
   Slice<Light> lights;
+  Slice<TexCoord> texcoords;  // one a vertex, or none at all
+  Slice<TextureImage> textures;
+  Slice<u32> texels;      // sRGB, eight bits each: red | green << 8 | blue << 16
+  Slice<float> decoding;  // the 256 linear values of an eight-bit sRGB component; empty without textures
 };
 
 /// Access by name; copy freely, it is one pointer.
@@ -61,6 +81,10 @@ struct SceneView {
   RW_FN const Vec3* normals() const { return data_of(blob, header().normals); }
   RW_FN const Material* materials() const { return data_of(blob, header().materials); }
   RW_FN const Light* lights() const { return data_of(blob, header().lights); }
+  RW_FN const TexCoord* texcoords() const { return data_of(blob, header().texcoords); }
+  RW_FN const TextureImage* textures() const { return data_of(blob, header().textures); }
+  RW_FN const u32* texels() const { return data_of(blob, header().texels); }
+  RW_FN const float* decoding() const { return data_of(blob, header().decoding); }
   RW_FN u32 triangle_count() const { return static_cast<u32>(header().corners.count); }
   RW_FN u32 light_count() const { return static_cast<u32>(header().lights.count); }
 };

@@ -94,7 +94,7 @@ CameraPose pose_on(const SplinePath& spline, u32 frame, u32 frame_count) {
   if (spline.keys.size() < 2) throw std::invalid_argument("a spline camera path needs at least two keys");
   const float s = frame_count > 1 ? static_cast<float>(frame) / static_cast<float>(frame_count - 1) : 0.0f;
   const CameraKey key = along(spline.keys, s);
-  return {key.eye, key.target, kUp, key.vertical_fov_deg};
+  return {key.eye, key.target, spline.up, key.vertical_fov_deg};
 }
 
 }  // namespace

@@ -23,9 +23,10 @@ struct CameraKey {
   float vertical_fov_deg;
 };
 
-/// Centripetal Catmull-Rom curve through the keys, at an even speed of the eye; at least two keys, `up` is +y.
+/// Centripetal Catmull-Rom curve through the keys, at an even speed of the eye; at least two keys.
 struct SplinePath {
   std::vector<CameraKey> keys;
+  Vec3 up{0, 1, 0};
 };
 
 struct CameraPath {

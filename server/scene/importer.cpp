@@ -2,17 +2,16 @@
 #include "server/scene/importer.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <stdexcept>
 
+#include "server/scene/byte_reader.h"
 #include "server/scene/formats/formats.h"
 
 namespace raywalk {
 namespace {
 
-constexpr std::array kFormats = {&kPly};
-constexpr size_t kHeadBytes = 256;
+constexpr size_t kHeadBytes = 1024;
 
 /// Lower case, and that before ".gz" if there is one.
 std::string extension_of(std::filesystem::path path) {
@@ -30,25 +29,28 @@ std::span<const u8> head_of(ByteReader& reader) {
   return {};
 }
 
-const Format& format_of(ByteReader& reader) {
+const Format& format_of(const std::filesystem::path& path) {
+  ByteReader reader(path);
   const std::span<const u8> head = head_of(reader);
-  for (const Format* format : kFormats) {
+  for (const Format* format : formats()) {
     if (format->begins(head)) return *format;
   }
-  const std::string extension = extension_of(reader.path());
+  const std::string extension = extension_of(path);
   std::string known;
-  for (const Format* format : kFormats) {
-    if (extension == format->extension) return *format;
+  for (const Format* format : formats()) {
+    const auto& its = format->extensions;
+    if (!extension.empty() && std::find(its.begin(), its.end(), extension) != its.end()) return *format;
     known += std::string(known.empty() ? "" : ", ") + format->name;
   }
-  throw std::runtime_error(reader.path().string() + ": not a known mesh format (known: " + known + ")");
+  throw std::runtime_error(path.string() + ": not a known scene format (known: " + known + ")");
 }
 
 }  // namespace
 
-Scene load_mesh(const std::filesystem::path& path) {
-  ByteReader reader(path);
-  Scene scene = format_of(reader).load(reader);
+Scene load_mesh(const std::filesystem::path& path, ImportSettings settings) {
+  const Format& format = format_of(path);
+  ImportFiles files(path, std::move(settings));
+  Scene scene = format.load(files);
   scene.name = path.stem().string();
   scene.source = path.filename().string();
   scene.content_sha256 = geometry_sha256(scene);
@@ -57,9 +59,10 @@ Scene load_mesh(const std::filesystem::path& path) {
 }
 
 void add_default_lighting(Scene& scene) {
+  const CameraPath around = orbit_around(bounds_of(scene));
+  const OrbitPath& orbit = std::get<OrbitPath>(around.shape);
+  if (!scene.has_camera_path) scene.camera_path = around;
   if (!scene.lights.empty()) return;
-  scene.camera_path = orbit_around(bounds_of(scene));
-  const OrbitPath& orbit = std::get<OrbitPath>(scene.camera_path.shape);
   // Over the left shoulder of the first frame.
   scene.lights.push_back({orbit.centre + orbit.radius * Vec3{-0.7f, 1.3f, 1.2f}, {1.0f, 1.0f, 1.0f}});
   scene.ambient = {0.12f, 0.12f, 0.12f};

@@ -2,6 +2,7 @@
 #include "server/scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -24,6 +25,22 @@ void check(const Scene& scene) {
     throw std::invalid_argument("scene " + scene.name + ": " + std::to_string(scene.normals.size()) + " normals for " +
                                 std::to_string(scene.positions.size()) + " vertices");
   }
+  if (!scene.texcoords.empty() && scene.texcoords.size() != scene.positions.size()) {
+    throw std::invalid_argument("scene " + scene.name + ": " + std::to_string(scene.texcoords.size()) +
+                                " texture coordinates for " + std::to_string(scene.positions.size()) + " vertices");
+  }
+  for (const Texture& t : scene.textures) {
+    if (t.width == 0 || t.height == 0 || t.texels.size() != u64{t.width} * t.height) {
+      throw std::invalid_argument("scene " + scene.name + ": texture " + t.name + " is not " + std::to_string(t.width) +
+                                  " x " + std::to_string(t.height) + " texels");
+    }
+  }
+  for (const Material& m : scene.materials) {
+    if (m.texture != kNoTexture && m.texture >= scene.textures.size()) {
+      throw std::invalid_argument("scene " + scene.name + ": a material has texture " + std::to_string(m.texture) +
+                                  " of " + std::to_string(scene.textures.size()));
+    }
+  }
   if (scene.triangles.size() > 0xffffffffull)
     throw std::invalid_argument("scene " + scene.name + ": too many triangles");
   const u64 vertices = scene.positions.size();
@@ -43,6 +60,27 @@ void check(const Scene& scene) {
 template <class T>
 void copy_into(Blob& blob, Slice<T> slice, const std::vector<T>& values) {
   if (!values.empty()) std::memcpy(blob.data() + slice.offset, values.data(), values.size() * sizeof(T));
+}
+
+/// The linear value of an eight-bit sRGB component (IEC 61966-2-1).
+float decoded(u32 component) {
+  const double c = component / 255.0;
+  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+/// Images and texels, one image after the other.
+void copy_textures(Blob& blob, const SceneHeader& header, const std::vector<Texture>& textures) {
+  const std::span<TextureImage> images = slice_of(blob, header.textures);
+  const std::span<u32> texels = slice_of(blob, header.texels);
+  const std::span<float> decoding = slice_of(blob, header.decoding);
+  u64 first = 0;
+  for (size_t i = 0; i < textures.size(); ++i) {
+    images[i] = {textures[i].width, textures[i].height, first};
+    std::copy(textures[i].texels.begin(), textures[i].texels.end(),
+              texels.begin() + static_cast<std::ptrdiff_t>(first));
+    first += textures[i].texels.size();
+  }
+  for (u32 i = 0; i < decoding.size(); ++i) decoding[i] = decoded(i);
 }
 
 template <class T>
@@ -74,6 +112,7 @@ Material default_material() {
   m.specular = {0.2f, 0.2f, 0.2f};
   m.shininess = 30.0f;
   m.ior = 1.0f;
+  m.texture = kNoTexture;
   return m;
 }
 
@@ -92,6 +131,7 @@ u32 features_of(const Scene& scene) {
     if (any(m.specular)) features |= kFeatureSpecular;
     if (any(m.reflection)) features |= kFeatureReflection;
     if (any(m.transmission)) features |= kFeatureRefraction;
+    if (m.texture != kNoTexture) features |= kFeatureTextures;
   }
   if (scene.lights.size() > 1) features |= kFeatureManyLights;
   return features;
@@ -106,6 +146,12 @@ Blob pack(const Scene& scene) {
   header.normals = plan.add<Vec3>(scene.normals.size());
   header.materials = plan.add<Material>(scene.materials.size());
   header.lights = plan.add<Light>(scene.lights.size());
+  header.texcoords = plan.add<TexCoord>(scene.texcoords.size());
+  header.textures = plan.add<TextureImage>(scene.textures.size());
+  u64 texels = 0;
+  for (const Texture& t : scene.textures) texels += t.texels.size();
+  header.texels = plan.add<u32>(texels);
+  header.decoding = plan.add<float>(scene.textures.empty() ? 0 : 256);
   header.features = features_of(scene);
   header.background = scene.background;
   header.ambient = scene.ambient;
@@ -120,6 +166,8 @@ Blob pack(const Scene& scene) {
   copy_into(blob, header.normals, scene.normals);
   copy_into(blob, header.materials, scene.materials);
   copy_into(blob, header.lights, scene.lights);
+  copy_into(blob, header.texcoords, scene.texcoords);
+  copy_textures(blob, header, scene.textures);
   std::memcpy(blob.data(), &header, sizeof header);
   return blob;
 }

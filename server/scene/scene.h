@@ -20,18 +20,35 @@ enum class Fidelity {
 /// "original", "derived", "stand-in", "procedural".
 const char* fidelity_name(Fidelity fidelity);
 
+/// An image: sRGB texels as the kernels read them (SceneHeader::texels), rows top down.
+struct Texture {
+  std::string name;
+  u32 width = 0, height = 0;
+  std::vector<u32> texels;
+};
+
+/// A view that the scene's file names.
+struct NamedCamera {
+  std::string name;
+  CameraPose pose;
+};
+
 struct Scene {
   std::string name;
   std::string source;  // where the geometry came from, for people
   Fidelity fidelity = Fidelity::kOriginal;
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  // one a vertex, or none at all
+  std::vector<Vec3> normals;        // one a vertex (zero: none), or none at all
+  std::vector<TexCoord> texcoords;  // one a vertex, or none at all
   std::vector<TriangleIndices> triangles;
   std::vector<Material> materials;
+  std::vector<Texture> textures;
   std::vector<Light> lights;
+  std::vector<NamedCamera> cameras;
   Vec3 background{};
   Vec3 ambient{};
   CameraPath camera_path;
+  bool has_camera_path = false;  // camera_path came with the file
   std::vector<std::string> warnings;
   std::string content_sha256;  // of the geometry (see geometry_sha256), lower-case hex; set by load_scene and load_mesh
 };
@@ -46,8 +63,8 @@ Box bounds_of(const Scene& scene);
 u32 features_of(const Scene& scene);
 
 /// The kernel blob (SceneHeader). Allocates the blob and nothing else.
-/// Throws std::invalid_argument if a vertex or material index is out of range, or the normals do not match the
-/// vertices.
+/// Throws std::invalid_argument if a vertex, material or texture index is out of range, normals or texture coordinates
+/// do not match the vertices, or a texture has not width * height texels.
 Blob pack(const Scene& scene);
 
 /// SHA-256 over positions, normals and triangles with their counts, little-endian: equal geometry, equal hash.

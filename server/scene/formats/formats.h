@@ -1,21 +1,24 @@
-// The table of mesh formats; one file a format.
+// The table of scene formats. A format is one file <format>.cpp here, with its parts in a folder of that name.
 #pragma once
+#include <array>
 #include <span>
+#include <string_view>
 
-#include "server/scene/byte_reader.h"
-#include "server/scene/scene.h"
+#include "server/scene/import_files.h"
 
 namespace raywalk {
 
 struct Format {
   const char* name;
-  const char* extension;  // lower case, without ".gz"
-  /// Whether the (uncompressed) beginning of a file is this format beyond doubt.
+  std::array<std::string_view, 3> extensions;  // lower case, without ".gz"; empty ones are none
+  /// Whether the (uncompressed) beginning of a file, at most 1024 bytes, is this format beyond doubt.
   bool (*begins)(std::span<const u8> head);
-  /// Fills positions, normals, triangles, warnings, and materials if the format has them.
-  Scene (*load)(ByteReader& reader);
+  /// Fills geometry and warnings, and what the format has of materials, textures, lights, cameras, a camera path,
+  /// ambient light and background. Throws std::runtime_error naming file and line (byte in binary files).
+  Scene (*load)(ImportFiles& files);
 };
 
-extern const Format kPly;
+/// All formats, by name: every <format>.cpp here defines `extern const Format k_<format>_format`.
+std::span<const Format* const> formats();
 
 }  // namespace raywalk

@@ -1,9 +1,10 @@
 // PLY: text and binary of either byte order, any order of elements and properties.
 #include <algorithm>
 
+#include "server/scene/byte_reader.h"
 #include "server/scene/formats/formats.h"
-#include "server/scene/formats/ply_header.h"
-#include "server/scene/formats/ply_rows.h"
+#include "server/scene/formats/ply/header.h"
+#include "server/scene/formats/ply/rows.h"
 #include "server/scene/triangulate.h"
 
 namespace raywalk {
@@ -219,7 +220,8 @@ bool begins_as_ply(std::span<const u8> head) {
   return head.size() >= 4 && head[0] == 'p' && head[1] == 'l' && head[2] == 'y' && (head[3] == '\n' || head[3] == '\r');
 }
 
-Scene load_ply(ByteReader& reader) {
+Scene load_ply(ImportFiles& files) {
+  ByteReader reader(files.main());
   const PlyHeader header = read_ply_header(reader);
   switch (header.encoding) {
     case PlyEncoding::kLittleEndian:
@@ -234,6 +236,7 @@ Scene load_ply(ByteReader& reader) {
 
 }  // namespace
 
-const Format kPly = {"PLY", ".ply", begins_as_ply, load_ply};
+extern const Format k_ply_format;
+const Format k_ply_format = {"PLY", {".ply"}, begins_as_ply, load_ply};
 
 }  // namespace raywalk

@@ -1,5 +1,5 @@
 // Parsing of PLY headers.
-#include "server/scene/formats/ply_header.h"
+#include "server/scene/formats/ply/header.h"
 
 #include <algorithm>
 #include <charconv>

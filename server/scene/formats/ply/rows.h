@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string>
 
-#include "server/scene/formats/ply_header.h"
+#include "server/scene/formats/ply/header.h"
 #include "server/scene/text.h"
 
 namespace raywalk {

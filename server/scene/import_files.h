@@ -1,0 +1,53 @@
+// The files that an import may read: the scene's own, and what it names beside it, inside one folder.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "server/scene/scene.h"
+
+namespace raywalk {
+
+/// Makes an image of the bytes of an image file. Throws std::runtime_error with the reason if it cannot.
+using DecodeTexture = std::function<Texture(std::span<const u8> bytes)>;
+
+/// What one import may use; beyond it the import fails.
+struct ImportLimits {
+  u64 triangles = 20'000'000;
+  u64 bytes = 2ull << 30;  // of all files together, uncompressed
+};
+
+struct ImportSettings {
+  std::filesystem::path root{};  // no file outside this folder is read; the file's own folder when empty
+  DecodeTexture decode{};        // without it every texture is missing
+  ImportLimits limits{};
+};
+
+class ImportFiles {
+ public:
+  ImportFiles(const std::filesystem::path& main, ImportSettings settings);
+
+  /// The scene's file.
+  const std::filesystem::path& main() const { return main_; }
+  const ImportLimits& limits() const { return settings_.limits; }
+
+  /// The file `name` as a scene file in `folder` means it (slashes either way); nothing if there is none.
+  /// Throws std::runtime_error if the name is absolute, or leads out of the root, through a link too.
+  std::optional<std::filesystem::path> find(std::string_view name, const std::filesystem::path& folder) const;
+  /// All bytes of a file, gzip or plain. Throws std::runtime_error naming it if it cannot be read or the limit of bytes
+  /// is passed.
+  std::string read(const std::filesystem::path& file);
+  /// Throws std::runtime_error with the reason.
+  Texture decode(std::span<const u8> bytes) const;
+
+ private:
+  std::filesystem::path main_;
+  ImportSettings settings_;
+  std::filesystem::path root_;
+  u64 bytes_left_;
+};
+
+}  // namespace raywalk
