@@ -24,6 +24,7 @@ struct ImportSettings {
   std::filesystem::path root{};  // no file outside this folder is read; the file's own folder when empty
   DecodeTexture decode{};        // without it every texture is missing
   ImportLimits limits{};
+  u32 sphere_slices = 20, sphere_stacks = 10;  // of spheres in formats that leave their tessellation to the reader
 };
 
 class ImportFiles {
@@ -33,6 +34,7 @@ class ImportFiles {
   /// The scene's file.
   const std::filesystem::path& main() const { return main_; }
   const ImportLimits& limits() const { return settings_.limits; }
+  const ImportSettings& settings() const { return settings_; }
 
   /// The file `name` as a scene file in `folder` means it (slashes either way); nothing if there is none.
   /// Throws std::runtime_error if the name is absolute, or leads out of the root, through a link too.
