@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "server/image/decode_texture.h"
 #include "server/scene/importer.h"
 #include "server/system/refusal.h"
 
@@ -22,12 +23,14 @@ std::shared_ptr<LoadedScene> make_resident(Scene scene, SceneInfo info, bool upl
   info.triangles = scene.triangles.size();
   info.lights = static_cast<u32>(scene.lights.size());
   info.fidelity = scene.fidelity;
+  info.fidelity_note = scene.fidelity_note;
   if (!scene.source.empty()) info.source = scene.source;
   info.frames = scene.camera_path.frames;
   loaded->info = std::move(info);
   loaded->uploaded = uploaded;
   loaded->bounds = bounds_of(scene);
   loaded->camera_path = scene.camera_path;
+  loaded->cameras = scene.cameras;
   loaded->content_sha256 = scene.content_sha256;
   loaded->warnings = scene.warnings;
   if (scene.triangles.empty()) loaded->warnings.push_back("The scene has no triangles.");
@@ -138,8 +141,8 @@ ScenePtr Scenes::load_now(const std::string& name, std::optional<u64> triangles)
   const auto info = std::find_if(all.begin(), all.end(), [&](const SceneInfo& i) { return i.name == name; });
   if (info == all.end()) refuse_unknown(name, "/name");
   try {
-    const std::shared_ptr<LoadedScene> scene =
-        make_resident(load_scene(name, scenes_dir_, data_dir_, triangles), *info, /*uploaded=*/false, begin);
+    const std::shared_ptr<LoadedScene> scene = make_resident(
+        load_scene(name, scenes_dir_, data_dir_, triangles, decode_texture), *info, /*uploaded=*/false, begin);
     scene->asked_triangles = triangles;
     return scene;
   } catch (const std::invalid_argument& e) {
@@ -192,7 +195,7 @@ ScenePtr Scenes::upload(const std::string& name, const std::filesystem::path& fi
   const auto begin = std::chrono::steady_clock::now();
   ScenePtr scene;
   try {
-    Scene mesh = load_mesh(file);
+    Scene mesh = load_mesh(file, {.decode = decode_texture});
     mesh.source = "upload";
     for (std::string& warning : mesh.warnings) warning = replaced(std::move(warning), file.string(), "upload");
     SceneInfo info;
