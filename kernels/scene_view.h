@@ -40,7 +40,7 @@ struct Material {
   Vec3 emission;      // added whatever the lights do
   float shininess;
   float ior;
-  u32 texture;  // its colour multiplies ambient and diffuse; kNoTexture for none
+  u32 texture = kNoTexture;  // its colour multiplies ambient and diffuse
 };
 
 /// One image among the texels.
