@@ -79,6 +79,12 @@ void check_size(const OIIO::ImageSpec& spec, u64 file_bytes) {
   }
 }
 
+/// What the reader has to say, which may be nothing.
+std::runtime_error broken(const OIIO::ImageInput& in) {
+  const std::string reason = in.geterror();
+  return std::runtime_error(reason.empty() ? "the file is broken" : reason);
+}
+
 /// OpenImageIO reads a PNM file that ends early as if it went on.
 void check_pnm_length(const OIIO::ImageSpec& spec, std::span<const u8> bytes) {
   const u64 width = static_cast<u64>(spec.width), height = static_cast<u64>(spec.height);
@@ -95,7 +101,7 @@ void check_pnm_length(const OIIO::ImageSpec& spec, std::span<const u8> bytes) {
 void read_integers(OIIO::ImageInput& in, int channels, std::vector<u32>& texels) {
   static_assert(std::endian::native == std::endian::little);
   if (!in.read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, texels.data(), sizeof(u32))) {
-    throw std::runtime_error(in.geterror());
+    throw broken(in);
   }
   if (channels > 1) return;
   for (u32& texel : texels) texel *= 0x010101u;
@@ -105,7 +111,7 @@ void read_floats(OIIO::ImageInput& in, int channels, std::vector<u32>& texels) {
   const size_t per_texel = static_cast<size_t>(channels);
   std::vector<float> linear(texels.size() * per_texel);
   if (!in.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, linear.data())) {
-    throw std::runtime_error(in.geterror());
+    throw broken(in);
   }
   std::vector<u8> encoded(linear.size());
   srgb_bytes(linear, encoded.data());
@@ -129,7 +135,7 @@ Texture decode_texture(std::span<const u8> bytes) {
   std::optional<MemoryFile> file;
   std::string path = "texture";
   if (!in->supports("ioproxy") || !in->set_ioproxy(&reader)) path = file.emplace(bytes).path();
-  if (!in->open(path, spec, wish)) throw std::runtime_error(in->geterror());
+  if (!in->open(path, spec, wish)) throw broken(*in);
   check_size(spec, bytes.size());
   if (std::string_view(format) == "pnm") check_pnm_length(spec, bytes);
 

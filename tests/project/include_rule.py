@@ -27,8 +27,9 @@ ACCEL_TABLES = {"kernels/accel/kinds.cpp", "kernels/accel/traversals.h"}
 
 # Each row of the server includes from the rows below it; inside a row only what PEERS says.
 SERVER_ROWS = [{"main"}, {"http", "api"}, {"bench", "catalog", "store"}, {"device", "scene", "image"}, {"system"}]
-# An image is made of the pixels of a frame; a benchmark runs on catalogued scenes and structures.
-PEERS = {("api", "http"), ("image", "device"), ("bench", "catalog")}
+# An image is made of the pixels of a frame, or becomes a scene's texture; a benchmark runs on catalogued scenes and
+# structures.
+PEERS = {("api", "http"), ("image", "device"), ("image", "scene"), ("bench", "catalog")}
 
 # First letters of an angle include -> the units (or files) that may know the library.
 LIBRARIES = {
