@@ -65,6 +65,8 @@ Json to_json(const SceneEntry& entry) {
                {"triangles", info.triangles},
                {"lights", info.lights},
                {"fidelity", loaded != nullptr && loaded->uploaded ? "uploaded" : fidelity_name(info.fidelity)},
+               {"fidelity_note", info.fidelity_note},
+               {"available", info.available},
                {"source", source},
                {"loaded", loaded != nullptr},
                {"size_bytes", loaded != nullptr ? loaded->blob->size_bytes() : 0},
@@ -74,6 +76,10 @@ Json to_json(const SceneEntry& entry) {
   if (!info.paper_json.empty()) json["paper"] = Json::parse(info.paper_json);
   if (loaded != nullptr) {
     json["load_ms"] = loaded->load_ms;
+    json["cameras"] = Json::array();
+    for (const NamedCamera& camera : loaded->cameras) {
+      json["cameras"].push_back({{"name", camera.name}, {"pose", to_json(camera.pose)}});
+    }
     if (!loaded->bounds.empty()) {
       json["bounds"] = {{"lo", to_json(loaded->bounds.lo)}, {"hi", to_json(loaded->bounds.hi)}};
     }

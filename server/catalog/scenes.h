@@ -21,6 +21,7 @@ struct LoadedScene {
   std::optional<u64> asked_triangles;  // what it was loaded for, of scenes that are generated
   std::shared_ptr<const Blob> blob;
   CameraPath camera_path;
+  std::vector<NamedCamera> cameras;
   Box bounds;
   std::string content_sha256;
   std::vector<std::string> warnings;

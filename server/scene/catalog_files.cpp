@@ -8,12 +8,15 @@
 #include "server/scene/importer.h"
 #include "server/scene/manifest.h"
 #include "server/scene/sinks.h"
+#include "server/scene/split.h"
 #include "server/system/sha256.h"
 
 namespace raywalk {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kStandInNote = "generated with the study's numbers of triangles and lights; not its geometry";
 
 std::vector<fs::path> manifest_files(const fs::path& scenes_dir) {
   std::error_code error;
@@ -61,34 +64,101 @@ std::string content_sha256_of(const fs::path& file) {
   return hash.hex();
 }
 
+/// A generated scene stands in for another if there is an original, or the study measured one.
+Fidelity generated_fidelity(const Manifest& manifest) {
+  return manifest.original || !manifest.paper_json.empty() ? Fidelity::kStandIn : Fidelity::kProcedural;
+}
+
 std::string generated_by(const GeneratorSource& generator, u64 triangles) {
   return "generator " + generator.name + ", " + std::to_string(triangles) + " triangles";
 }
 
-void load_original(Scene& scene, const OriginalSource& original, const fs::path& file) {
-  Scene mesh = load_mesh(file);
-  scene.positions = std::move(mesh.positions);
-  scene.normals = std::move(mesh.normals);
-  scene.triangles = std::move(mesh.triangles);
-  scene.warnings = std::move(mesh.warnings);
-  scene.source = original.file.generic_string() + " (" + original.credit + ")";
-  scene.fidelity = original.fidelity;
-  const bool altered = scene.triangles.size() != original.triangles || content_sha256_of(file) != original.sha256;
-  if (altered) {
-    scene.fidelity = Fidelity::kDerived;
-    scene.warnings.push_back(file.string() + ": differs from the file that the manifest describes (" +
-                             std::to_string(original.triangles) + " triangles, SHA-256 " + original.sha256 + ")");
+void dress(Scene& scene, const Appearance& appearance) {
+  scene.materials = appearance.materials;
+  scene.lights = appearance.lights;
+  scene.ambient = appearance.ambient;
+  scene.background = appearance.background;
+  scene.camera_path = appearance.camera_path(bounds_of(scene));
+}
+
+std::vector<Light> chosen_lights(const Scene& scene, const std::vector<u32>& numbers, const fs::path& file) {
+  std::vector<Light> lights;
+  for (const u32 number : numbers) {
+    if (number >= scene.lights.size()) {
+      throw std::runtime_error(file.string() + ": has " + std::to_string(scene.lights.size()) +
+                               " lights, the manifest asks for number " + std::to_string(number));
+    }
+    lights.push_back(scene.lights[number]);
+  }
+  return lights;
+}
+
+/// The manifest's look, but for what the file keeps.
+void dress_original(Scene& scene, const OriginalSource& original, const fs::path& file) {
+  const FromFile& from_file = original.from_file;
+  Scene own = std::move(scene);
+  scene = {};
+  scene.positions = std::move(own.positions);
+  scene.normals = std::move(own.normals);
+  scene.texcoords = std::move(own.texcoords);
+  scene.triangles = std::move(own.triangles);
+  scene.cameras = std::move(own.cameras);
+  scene.warnings = std::move(own.warnings);
+  dress(scene, original.appearance);
+  if (from_file.materials) {
+    scene.materials = std::move(own.materials);
+    scene.textures = std::move(own.textures);
+  }
+  if (!from_file.lights.empty()) scene.lights = chosen_lights(own, from_file.lights, file);
+  if (from_file.ambient) scene.ambient = own.ambient;
+  if (from_file.background) scene.background = own.background;
+  if (from_file.camera) {
+    if (!own.has_camera_path) throw std::runtime_error(file.string() + ": has no camera path");
+    scene.camera_path = std::move(own.camera_path);
+    scene.camera_path.frames = original.appearance.frames;
   }
 }
 
-void load_generated(Scene& scene, const Manifest& manifest, u64 triangles) {
+ImportSettings settings_of(const OriginalSource& original, const fs::path& data_dir, DecodeTexture decode) {
+  ImportSettings settings;
+  settings.root = data_dir / *original.file.begin();
+  settings.decode = std::move(decode);
+  if (original.sphere) {
+    settings.sphere_slices = original.sphere->first;
+    settings.sphere_stacks = original.sphere->second;
+  }
+  return settings;
+}
+
+Scene load_original(const OriginalSource& original, const fs::path& data_dir, const fs::path& file,
+                    DecodeTexture decode) {
+  Scene scene = load_mesh(file, settings_of(original, data_dir, std::move(decode)));
+  const bool altered = scene.triangles.size() != original.triangles || content_sha256_of(file) != original.sha256;
+  const u64 found_triangles = scene.triangles.size();
+  dress_original(scene, original, file);
+  if (original.split_to) split_edges(scene, std::max(*original.split_to, found_triangles));
+  scene.source = original.file.generic_string() + " (" + original.credit + ")";
+  scene.fidelity = altered ? Fidelity::kDerived : original.fidelity;
+  scene.fidelity_note = altered ? "made from another file than the manifest describes" : original.change;
+  if (altered) {
+    scene.warnings.push_back(file.string() + ": differs from the file that the manifest describes (" +
+                             std::to_string(original.triangles) + " triangles, SHA-256 " + original.sha256 + ")");
+  }
+  return scene;
+}
+
+Scene load_generated(const Manifest& manifest, u64 triangles) {
   const Generator* generator = find_generator(manifest.generator->name);
   if (generator == nullptr)
     throw std::runtime_error(manifest.name + ": no generator '" + manifest.generator->name + "'");
+  Scene scene;
   SceneSink sink(scene);
   generate(*generator, triangles, sink);
+  dress(scene, manifest.appearance);
   scene.source = generated_by(*manifest.generator, triangles);
-  scene.fidelity = manifest.original ? Fidelity::kStandIn : Fidelity::kProcedural;
+  scene.fidelity = generated_fidelity(manifest);
+  if (scene.fidelity == Fidelity::kStandIn) scene.fidelity_note = kStandInNote;
+  return scene;
 }
 
 SceneInfo info_of(const Manifest& manifest, const fs::path& data_dir) {
@@ -96,8 +166,8 @@ SceneInfo info_of(const Manifest& manifest, const fs::path& data_dir) {
   info.name = manifest.name;
   info.title = manifest.title;
   info.prose = manifest.prose;
-  info.lights = static_cast<u32>(manifest.lights.size());
-  info.frames = manifest.frames;
+  info.lights = static_cast<u32>(manifest.appearance.lights.size());
+  info.frames = manifest.appearance.frames;
   info.has_generator = manifest.generator.has_value();
   info.paper_json = manifest.paper_json;
   if (manifest.original) {
@@ -105,13 +175,23 @@ SceneInfo info_of(const Manifest& manifest, const fs::path& data_dir) {
     info.home_url = manifest.original->home_url;
   }
   if (!find_original(manifest, data_dir).empty()) {
-    info.triangles = manifest.original->triangles;
+    info.triangles = manifest.original->shown_triangles();
+    info.lights = static_cast<u32>(manifest.original->light_count());
+    info.frames = manifest.original->appearance.frames;
     info.fidelity = manifest.original->fidelity;
+    info.fidelity_note = manifest.original->change;
     info.source = manifest.original->file.generic_string();
   } else if (manifest.generator) {
     info.triangles = manifest.generator->triangles;
-    info.fidelity = manifest.original ? Fidelity::kStandIn : Fidelity::kProcedural;
+    info.fidelity = generated_fidelity(manifest);
+    if (info.fidelity == Fidelity::kStandIn) info.fidelity_note = kStandInNote;
     info.source = generated_by(*manifest.generator, info.triangles);
+  } else {
+    info.triangles = manifest.original->shown_triangles();
+    info.fidelity = manifest.original->fidelity;
+    info.fidelity_note = manifest.original->change;
+    info.source = manifest.original->file.generic_string();
+    info.available = false;
   }
   return info;
 }
@@ -133,7 +213,7 @@ std::vector<SceneInfo> list_scenes(const fs::path& scenes_dir, const fs::path& d
 }
 
 Scene load_scene(std::string_view name, const fs::path& scenes_dir, const fs::path& data_dir,
-                 std::optional<u64> triangles) {
+                 std::optional<u64> triangles, DecodeTexture decode) {
   const std::vector<fs::path> files = manifest_files(scenes_dir);
   const auto file = std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return name_of(f) == name; });
   if (file == files.end()) {
@@ -147,21 +227,16 @@ Scene load_scene(std::string_view name, const fs::path& scenes_dir, const fs::pa
   }
 
   Scene scene;
-  scene.name = manifest.name;
   const fs::path original = triangles ? fs::path() : find_original(manifest, data_dir);
   if (!original.empty()) {
-    load_original(scene, *manifest.original, original);
+    scene = load_original(*manifest.original, data_dir, original, std::move(decode));
   } else if (manifest.generator) {
-    load_generated(scene, manifest, triangles.value_or(manifest.generator->triangles));
+    scene = load_generated(manifest, triangles.value_or(manifest.generator->triangles));
   } else {
     throw std::runtime_error("scene " + manifest.name + ": its data is not at " +
                              (data_dir / manifest.original->file).string());
   }
-  scene.materials = manifest.materials;
-  scene.lights = manifest.lights;
-  scene.ambient = manifest.ambient;
-  scene.background = manifest.background;
-  scene.camera_path = manifest.camera_path(bounds_of(scene));
+  scene.name = manifest.name;
   scene.content_sha256 = geometry_sha256(scene);
   return scene;
 }

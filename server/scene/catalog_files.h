@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/scene/scene.h"
+#include "server/scene/import_files.h"
 
 namespace raywalk {
 
@@ -19,9 +19,11 @@ struct SceneInfo {
   u64 triangles = 0;  // that load_scene would give now
   u32 lights = 0;
   Fidelity fidelity = Fidelity::kProcedural;
-  std::string source;    // the original's file, or the generator
-  std::string credit;    // of the original; empty for procedural scenes
-  std::string home_url;  // public home of the original's archive; empty for procedural scenes
+  std::string fidelity_note;  // how it differs from the study's scene; empty if it does not, or there is none
+  bool available = true;      // false: no generator, and the original's data is not there
+  std::string source;         // the original's file, or the generator
+  std::string credit;         // of the original; empty for procedural scenes
+  std::string home_url;       // public home of the original's archive; empty for procedural scenes
   u32 frames = 400;
   bool has_generator = false;  // a triangle count may be asked for
   std::string paper_json;      // the manifest's `paper` object (checked) as JSON text; empty if there is none
@@ -41,9 +43,10 @@ class UnknownScene : public std::runtime_error {
 std::vector<SceneInfo> list_scenes(const std::filesystem::path& scenes_dir, const std::filesystem::path& data_dir);
 
 /// Loads the original if its file is present, else generates. With `triangles` it always generates, exactly that many.
+/// Without `decode` all textures are missing.
 /// Throws UnknownScene; std::invalid_argument if the scene cannot have that many triangles; std::runtime_error for a
 /// bad manifest or data file.
 Scene load_scene(std::string_view name, const std::filesystem::path& scenes_dir, const std::filesystem::path& data_dir,
-                 std::optional<u64> triangles = std::nullopt);
+                 std::optional<u64> triangles = std::nullopt, DecodeTexture decode = {});
 
 }  // namespace raywalk

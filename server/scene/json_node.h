@@ -31,6 +31,7 @@ class JsonNode {
   /// Three numbers, each in the range.
   Vec3 vector(float least, float most) const;
   bool is_null() const { return value_->is_null(); }
+  bool is_text() const { return value_->is_string(); }
   std::string dump() const { return value_->dump(); }
 
   [[noreturn]] void fail(const std::string& message) const;

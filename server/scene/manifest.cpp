@@ -13,27 +13,6 @@ namespace {
 constexpr float kFar = 1e6f;
 constexpr u64 kMostTriangles = 1'000'000'000;
 
-OriginalSource read_original(const JsonNode& node) {
-  node.allow_only({"file", "sha256", "triangles", "fidelity", "credit", "home", "member"});
-  OriginalSource source;
-  source.file = node.at("file").text();
-  const bool climbs =
-      std::any_of(source.file.begin(), source.file.end(), [](const auto& part) { return part == ".."; });
-  if (source.file.is_absolute() || climbs) node.at("file").fail("must be a path inside the data folder");
-  source.sha256 = node.at("sha256").text();
-  if (source.sha256.size() != 64 || source.sha256.find_first_not_of("0123456789abcdef") != std::string::npos) {
-    node.at("sha256").fail("must be 64 lower-case hex digits");
-  }
-  source.triangles = node.at("triangles").count(1, kMostTriangles);
-  const std::string fidelity = node.at("fidelity").text();
-  if (fidelity != "original" && fidelity != "derived") node.at("fidelity").fail("must be 'original' or 'derived'");
-  source.fidelity = fidelity == "original" ? Fidelity::kOriginal : Fidelity::kDerived;
-  source.credit = node.at("credit").text();
-  source.home_url = node.at("home").text();
-  if (node.find("member")) node.at("member").text();
-  return source;
-}
-
 GeneratorSource read_generator(const JsonNode& node) {
   node.allow_only({"name", "triangles"});
   return {node.at("name").text(), node.at("triangles").count(1, kMostTriangles)};
@@ -77,8 +56,8 @@ OrbitPlan read_orbit(const JsonNode& node) {
   return orbit;
 }
 
-SplinePath read_spline(const JsonNode& node) {
-  SplinePath spline;
+SplinePath read_spline(const JsonNode& node, Vec3 up) {
+  SplinePath spline{{}, up};
   for (const JsonNode& key : node.items(2)) {
     key.allow_only({"eye", "target", "fov_deg"});
     spline.keys.push_back({key.at("eye").vector(-kFar, kFar), key.at("target").vector(-kFar, kFar),
@@ -87,16 +66,94 @@ SplinePath read_spline(const JsonNode& node) {
   return spline;
 }
 
-void read_camera(const JsonNode& node, Manifest& manifest) {
-  node.allow_only({"frames", "orbit", "spline"});
-  manifest.frames = static_cast<u32>(node.at("frames").count(1, 1'000'000));
-  const std::optional<JsonNode> orbit = node.find("orbit"), spline = node.find("spline");
+void read_camera(const JsonNode& node, Appearance& appearance) {
+  node.allow_only({"frames", "orbit", "spline", "up"});
+  appearance.frames = static_cast<u32>(node.at("frames").count(1, 1'000'000));
+  const std::optional<JsonNode> orbit = node.find("orbit"), spline = node.find("spline"), up = node.find("up");
   if (orbit.has_value() == spline.has_value()) node.fail("must have one of 'orbit' and 'spline'");
   if (orbit) {
-    manifest.camera = read_orbit(*orbit);
+    if (up) up->fail("goes with 'spline' only: an orbit turns around +y");
+    appearance.camera = read_orbit(*orbit);
   } else {
-    manifest.camera = read_spline(*spline);
+    appearance.camera = read_spline(*spline, up ? up->vector(-1.0f, 1.0f) : Vec3{0, 1, 0});
   }
+}
+
+void read_lights(const JsonNode& node, std::vector<Light>& lights) {
+  lights.clear();
+  for (const JsonNode& light : node.items(1)) lights.push_back(read_light(light));
+}
+
+Appearance read_appearance(const JsonNode& root) {
+  Appearance appearance;
+  for (const JsonNode& m : root.at("materials").items(1)) appearance.materials.push_back(read_material(m));
+  read_lights(root.at("lights"), appearance.lights);
+  appearance.ambient = root.at("ambient").vector(0.0f, 1.0f);
+  appearance.background = root.at("background").vector(0.0f, 1.0f);
+  read_camera(root.at("camera"), appearance);
+  return appearance;
+}
+
+/// Each part of an original's look is "file" or a value as at the root; lights may be the numbers of the file's own.
+void read_look(const JsonNode& node, OriginalSource& source) {
+  node.allow_only({"materials", "lights", "file_lights", "ambient", "background", "camera"});
+  const auto is_file = [](const JsonNode& part) { return part.is_text() && part.text() == "file"; };
+  if (const auto part = node.find("materials")) {
+    if (!is_file(*part)) part->fail("must be 'file'");
+    source.from_file.materials = true;
+  }
+  if (const auto part = node.find("lights")) read_lights(*part, source.appearance.lights);
+  if (const auto part = node.find("file_lights")) {
+    if (node.find("lights")) part->fail("stands beside 'lights': give one of the two");
+    for (const JsonNode& number : part->items(1)) {
+      source.from_file.lights.push_back(static_cast<u32>(number.count(0, 1'000'000)));
+    }
+  }
+  const auto colour = [&](const char* key, bool& from_file, Vec3& value) {
+    const auto part = node.find(key);
+    if (!part) return;
+    from_file = is_file(*part);
+    if (!from_file) value = part->vector(0.0f, 1.0f);
+  };
+  colour("ambient", source.from_file.ambient, source.appearance.ambient);
+  colour("background", source.from_file.background, source.appearance.background);
+  if (const auto part = node.find("camera")) {
+    source.from_file.camera = is_file(*part);
+    if (!source.from_file.camera) read_camera(*part, source.appearance);
+  }
+}
+
+OriginalSource read_original(const JsonNode& node, const Appearance& appearance) {
+  node.allow_only(
+      {"file", "sha256", "triangles", "split_to", "sphere", "fidelity", "change", "credit", "home", "member", "look"});
+  OriginalSource source;
+  source.file = node.at("file").text();
+  const bool climbs =
+      std::any_of(source.file.begin(), source.file.end(), [](const auto& part) { return part == ".."; });
+  if (source.file.is_absolute() || climbs) node.at("file").fail("must be a path inside the data folder");
+  source.sha256 = node.at("sha256").text();
+  if (source.sha256.size() != 64 || source.sha256.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    node.at("sha256").fail("must be 64 lower-case hex digits");
+  }
+  source.triangles = node.at("triangles").count(1, kMostTriangles);
+  if (const auto split = node.find("split_to")) source.split_to = split->count(source.triangles, kMostTriangles);
+  if (const auto sphere = node.find("sphere")) {
+    const std::vector<JsonNode> counts = sphere->items(2);
+    source.sphere.emplace(counts[0].count(3, 1000), counts[1].count(2, 1000));
+  }
+  const std::string fidelity = node.at("fidelity").text();
+  if (fidelity != "original" && fidelity != "derived") node.at("fidelity").fail("must be 'original' or 'derived'");
+  source.fidelity = fidelity == "original" ? Fidelity::kOriginal : Fidelity::kDerived;
+  if (const auto change = node.find("change")) source.change = change->text();
+  if (source.fidelity == Fidelity::kDerived && source.change.empty()) {
+    node.fail("a derived scene must say in 'change' what differs");
+  }
+  source.credit = node.at("credit").text();
+  if (const auto home = node.find("home")) source.home_url = home->text();
+  if (node.find("member")) node.at("member").text();
+  source.appearance = appearance;
+  if (const auto look = node.find("look")) read_look(*look, source);
+  return source;
 }
 
 void check_figures(const JsonNode& node, std::initializer_list<const char*> keys) {
@@ -145,14 +202,10 @@ Manifest read_manifest(const std::filesystem::path& file) {
   manifest.prose = root.at("prose").text();
   const JsonNode source = root.at("source");
   source.allow_only({"original", "generator"});
-  if (const auto original = source.find("original")) manifest.original = read_original(*original);
+  manifest.appearance = read_appearance(root);
+  if (const auto original = source.find("original")) manifest.original = read_original(*original, manifest.appearance);
   if (const auto generator = source.find("generator")) manifest.generator = read_generator(*generator);
   if (!manifest.original && !manifest.generator) source.fail("must have 'original', 'generator' or both");
-  for (const JsonNode& material : root.at("materials").items(1)) manifest.materials.push_back(read_material(material));
-  for (const JsonNode& light : root.at("lights").items(1)) manifest.lights.push_back(read_light(light));
-  manifest.ambient = root.at("ambient").vector(0.0f, 1.0f);
-  manifest.background = root.at("background").vector(0.0f, 1.0f);
-  read_camera(root.at("camera"), manifest);
   if (const auto paper = root.find("paper")) {
     check_paper(*paper);
     manifest.paper_json = paper->dump();
@@ -160,7 +213,7 @@ Manifest read_manifest(const std::filesystem::path& file) {
   return manifest;
 }
 
-CameraPath Manifest::camera_path(const Box& bounds) const {
+CameraPath Appearance::camera_path(const Box& bounds) const {
   if (const SplinePath* spline = std::get_if<SplinePath>(&camera)) return {*spline, frames};
   const OrbitPlan& plan = std::get<OrbitPlan>(camera);
   const Box box = bounds.empty() ? Box{{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}} : bounds;

@@ -37,6 +37,7 @@ struct Scene {
   std::string name;
   std::string source;  // where the geometry came from, for people
   Fidelity fidelity = Fidelity::kOriginal;
+  std::string fidelity_note;  // how it differs from the study's scene; empty if it does not, or there is none
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;        // one a vertex (zero: none), or none at all
   std::vector<TexCoord> texcoords;  // one a vertex, or none at all

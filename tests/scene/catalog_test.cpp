@@ -1,7 +1,9 @@
 // Manifests, listing and loading; the real bunny where it is present.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "kernels/features.h"
 #include "server/scene/catalog_files.h"
@@ -25,25 +27,34 @@ const std::string kSoup = R"({"generator":{"name":"soup","triangles":50}})";
 
 TEST(Catalogue, lists_what_ships) {
   const std::vector<SceneInfo> scenes = list_scenes(scenes_dir(), kNoData);
-  std::vector<std::string> names;
   for (const SceneInfo& s : scenes) {
-    names.push_back(s.name);
     EXPECT_GE(s.lights, 1u);
     EXPECT_EQ(s.frames, 400u);
     EXPECT_FALSE(s.title.empty() || s.prose.empty() || s.source.empty());
-    EXPECT_EQ(s.home_url.empty(), s.credit.empty());
+    EXPECT_TRUE(s.available || !s.credit.empty());
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"bunny", "city", "dragon", "organic", "room", "soup"}));
-  EXPECT_EQ(scenes[0].triangles, 69451u);
-  EXPECT_EQ(scenes[0].fidelity, Fidelity::kStandIn);
-  EXPECT_NE(scenes[0].paper_json.find("\"references_per_triangle\":3.7"), std::string::npos);
-  EXPECT_EQ(scenes[2].triangles, 871414u);
-  EXPECT_EQ(scenes[3].fidelity, Fidelity::kProcedural);
+  for (const char* studied :
+       {"bunny", "dragon", "buddha", "robots", "museum", "kitchen", "theatre", "office", "conference"}) {
+    const auto scene =
+        std::find_if(scenes.begin(), scenes.end(), [&](const SceneInfo& s) { return s.name == studied; });
+    ASSERT_NE(scene, scenes.end()) << studied;
+    EXPECT_EQ(scene->fidelity, Fidelity::kStandIn) << studied;
+    EXPECT_FALSE(scene->fidelity_note.empty()) << studied;
+    EXPECT_TRUE(scene->available) << studied;
+    const auto table1 = nlohmann::json::parse(scene->paper_json).at("table1");
+    EXPECT_EQ(table1.at("triangles"), scene->triangles) << studied;
+    EXPECT_EQ(table1.at("lights"), scene->lights) << studied;
+  }
 }
 
 TEST(Catalogue, loads_what_it_lists) {
   for (const SceneInfo& info : list_scenes(scenes_dir(), kNoData)) {
-    if (info.name == "dragon") continue;  // the same generator at 12 times the bunny's size
+    if (!info.available) {
+      EXPECT_NE(message_of([&] { load_scene(info.name, scenes_dir(), kNoData); }).find("its data is not at"),
+                std::string::npos);
+      continue;
+    }
+    if (info.name == "dragon" || info.name == "buddha") continue;  // a million triangles of what the others are made of
     const Scene scene = load_scene(info.name, scenes_dir(), kNoData);
     EXPECT_EQ(scene.triangles.size(), info.triangles);
     EXPECT_EQ(scene.lights.size(), info.lights);
@@ -55,8 +66,8 @@ TEST(Catalogue, loads_what_it_lists) {
   }
 }
 
-TEST(Catalogue, room_has_every_feature) {
-  EXPECT_EQ(features_of(load_scene("room", scenes_dir(), kNoData, 30'000)), kAllFeatures);
+TEST(Catalogue, room_has_every_feature_but_textures) {
+  EXPECT_EQ(features_of(load_scene("room", scenes_dir(), kNoData, 30'000)), kAllFeatures & ~kFeatureTextures);
 }
 
 TEST(Catalogue, triangle_count_can_be_chosen) {
@@ -70,7 +81,6 @@ TEST(Catalogue, unknown_scene_names_the_known) {
     load_scene("teapot", scenes_dir(), kNoData);
     FAIL();
   } catch (const UnknownScene& e) {
-    EXPECT_EQ(e.known().size(), 6u);
     EXPECT_NE(std::string(e.what()).find("bunny"), std::string::npos);
   }
   EXPECT_THROW(load_scene("../scenes/bunny", scenes_dir(), kNoData), UnknownScene);
@@ -94,6 +104,34 @@ TEST(Catalogue, original_data_is_preferred_and_checked) {
   EXPECT_EQ(scene.fidelity, Fidelity::kDerived);  // another hash than the manifest's
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_NE(scene.warnings[0].find("mesh.ply"), std::string::npos);
+}
+
+TEST(Catalogue, an_original_may_bring_its_look_or_have_one_of_its_own) {
+  const Folder folder;
+  const auto one = [&](const std::string& more) {
+    folder.write("scenes/one/scene.json",
+                 manifest(R"({"original":{"file":"one/mesh.obj","sha256":")" + std::string(64, '0') +
+                          R"(","triangles":1,"fidelity":"derived","change":"less of it","credit":"me")" + more + "}}"));
+    return load_scene("one", folder.path() / "scenes", folder.path() / "data");
+  };
+  folder.write("data/one/mesh.obj", "mtllib mesh.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("data/one/mesh.mtl", "newmtl red\nKd 1 0 0\n");
+  EXPECT_EQ(one("").materials[0].diffuse, (Vec3{1, 1, 1}));
+  const Scene own =
+      one(R"(,"split_to":4,"look":{"materials":"file","lights":[{"position":[1,2,3],"intensity":[1,1,1]},)"
+          R"({"position":[3,2,1],"intensity":[1,1,1]}],"background":[0,0,1],)"
+          R"("camera":{"frames":7,"up":[0,0,1],"spline":[{"eye":[0,0,3],"target":[0,0,0],"fov_deg":40},)"
+          R"({"eye":[0,1,3],"target":[0,0,0],"fov_deg":40}]}})");
+  EXPECT_EQ(own.materials[0].diffuse, (Vec3{1, 0, 0}));
+  EXPECT_EQ(own.lights.size(), 2u);
+  EXPECT_EQ(own.background, (Vec3{0, 0, 1}));
+  EXPECT_EQ(own.camera_path.frames, 7u);
+  EXPECT_EQ(pose_at(own.camera_path, 0, 7).up, (Vec3{0, 0, 1}));
+  EXPECT_EQ(own.triangles.size(), 4u);
+  for (const char* bad : {R"(,"look":{"camera":"file"})", R"(,"look":{"file_lights":[1]})", R"(,"look":{"lights":[]})",
+                          R"(,"look":{"materials":3})", R"(,"split_to":0)", R"(,"sphere":[1,1])"}) {
+    EXPECT_THROW(one(bad), std::runtime_error) << bad;
+  }
 }
 
 TEST(Catalogue, the_real_bunny) {

@@ -290,49 +290,6 @@ class Bounds(BaseModel):
     hi: list[float]
 
 
-class Scene(BaseModel):
-    name: Annotated[str, Field(pattern="^[a-z0-9][a-z0-9_-]{0,63}$")]
-    """
-    Lower-case name of a scene, structure kind or traversal.
-    """
-    title: str
-    description: str | None = None
-    triangles: int
-    """
-    Triangles that are loaded or would be.
-    """
-    lights: int
-    fidelity: Literal["original", "derived", "stand-in", "procedural", "uploaded"]
-    source: str | None = None
-    """
-    Where the geometry comes from and whom to credit.
-    """
-    loaded: bool
-    size_bytes: int | None = None
-    """
-    Resident size of the scene; 0 when not loaded.
-    """
-    load_ms: float | None = None
-    hash: str | None = None
-    """
-    SHA-256 of the packed geometry; empty when not loaded.
-    """
-    bounds: Bounds | None = None
-    """
-    Absent when not loaded or empty.
-    """
-    frames: int | None = None
-    """
-    Frames of its walkthrough.
-    """
-    paper: PaperFigures | None = None
-    warnings: list[str]
-
-
-class SceneList(BaseModel):
-    scenes: list[Scene]
-
-
 class Structure(BaseModel):
     id: str
     scene: str
@@ -399,6 +356,11 @@ class CameraPose(BaseModel):
     """
     Full vertical field of view in degrees.
     """
+
+
+class NamedCamera(BaseModel):
+    name: str
+    pose: CameraPose
 
 
 class PathFrame(BaseModel):
@@ -748,21 +710,59 @@ class ResultRow(BaseModel):
     error: ErrorFigures
 
 
-class BenchmarkResult(BaseModel):
-    schema_version: Literal[1]
-    id: str
-    created_at: str
-    machine: Machine
-    scene: Scene
-    spec: BenchmarkSpec
-    structures: list[Structure]
-    rows: list[ResultRow]
-    telemetry: Telemetry | None = None
+class Scene(BaseModel):
+    name: Annotated[str, Field(pattern="^[a-z0-9][a-z0-9_-]{0,63}$")]
     """
-    null where the device has no sensors that can be read.
+    Lower-case name of a scene, structure kind or traversal.
     """
-    stop_reason: Literal["completed", "time_limit"]
-    notes: list[str]
+    title: str
+    description: str | None = None
+    triangles: int
+    """
+    Triangles that are loaded or would be.
+    """
+    lights: int
+    fidelity: Literal["original", "derived", "stand-in", "procedural", "uploaded"]
+    fidelity_note: str | None = None
+    """
+    How it differs from the scene that the study measured; empty if it does not, or the study had none.
+    """
+    available: bool | None = None
+    """
+    False when it has no generator and its original data is not there.
+    """
+    source: str | None = None
+    """
+    Where the geometry comes from and whom to credit.
+    """
+    loaded: bool
+    size_bytes: int | None = None
+    """
+    Resident size of the scene; 0 when not loaded.
+    """
+    load_ms: float | None = None
+    hash: str | None = None
+    """
+    SHA-256 of the packed geometry; empty when not loaded.
+    """
+    bounds: Bounds | None = None
+    """
+    Absent when not loaded or empty.
+    """
+    frames: int | None = None
+    """
+    Frames of its walkthrough.
+    """
+    cameras: list[NamedCamera] | None = None
+    """
+    Views that its file names; absent when not loaded.
+    """
+    paper: PaperFigures | None = None
+    warnings: list[str]
+
+
+class SceneList(BaseModel):
+    scenes: list[Scene]
 
 
 class StructureRequest(BaseModel):
@@ -778,3 +778,20 @@ class StructureRequest(BaseModel):
     Lower-case name of a scene, structure kind or traversal.
     """
     options: dict[str, float | str] | None = None
+
+
+class BenchmarkResult(BaseModel):
+    schema_version: Literal[1]
+    id: str
+    created_at: str
+    machine: Machine
+    scene: Scene
+    spec: BenchmarkSpec
+    structures: list[Structure]
+    rows: list[ResultRow]
+    telemetry: Telemetry | None = None
+    """
+    null where the device has no sensors that can be read.
+    """
+    stop_reason: Literal["completed", "time_limit"]
+    notes: list[str]

@@ -10,9 +10,11 @@ import typer
 
 from raywalk.cli.session import connected, size, technique, vector, writable_file, writable_folder
 from raywalk.client import Client
+from raywalk.errors import RaywalkError
 from raywalk.follow import built
 from raywalk.images import SUFFIXES, Animation, save_frame
 from raywalk.models import CameraPose, FrameRequest, PathFrame
+from raywalk.models import Scene as SceneDocument
 from raywalk.payload import Frame
 from raywalk.progress import bar, messages
 
@@ -58,6 +60,13 @@ def camera_of(
     return PathFrame(frame=frame or 0, of=of)
 
 
+def named_camera(scene: SceneDocument, name: str) -> CameraPose:
+    cameras = {camera.name: camera.pose for camera in scene.cameras or []}
+    if name not in cameras:
+        raise RaywalkError(f"scene {scene.name} has no camera {name!r}; its cameras: {', '.join(cameras) or 'none'}")
+    return cameras[name]
+
+
 def prepared(client: Client, scene: str, kind: str) -> None:
     """Loads the scene and builds the structure."""
     with bar(f"loading {scene}") as progress:
@@ -77,6 +86,7 @@ def render(
     eye: Annotated[str | None, Point] = None,
     target: Annotated[str | None, Point] = None,
     fov: Annotated[float | None, typer.Option(help="Full vertical field of view in degrees.")] = None,
+    camera: Annotated[str | None, typer.Option(help="A view that the scene's file names.")] = None,
     size_: Annotated[str, typer.Option("--size", help="Pixels.", metavar="WxH")] = "512x512",
     mode: ModeOption = Mode.PRIMARY,
     depth: Depth = 2,
@@ -86,21 +96,23 @@ def render(
     if out.suffix.lower() not in SUFFIXES:
         raise typer.BadParameter(f"the suffix of {out.name!r} should be one of {' '.join(SUFFIXES)}")
     width, height = size(size_)
-    camera = camera_of(frame, of, eye, target, fov)
+    if camera is not None and (eye is not None or target is not None or frame is not None):
+        raise typer.BadParameter("give one of --camera, --frame, and --eye with --target")
+    view = camera_of(frame, of, eye, target, fov)
     writable_file(out)
-    request = FrameRequest(
-        scene=scene,
-        structure=structure,
-        traversal=traversal,
-        camera=camera,
-        width=width,
-        height=height,
-        mode=mode.value,
-        depth=depth,
-        output=output.value,
-    )
     with connected(context) as client:
         prepared(client, scene, structure)
+        request = FrameRequest(
+            scene=scene,
+            structure=structure,
+            traversal=traversal,
+            camera=view if camera is None else named_camera(client.get_scene(scene), camera),
+            width=width,
+            height=height,
+            mode=mode.value,
+            depth=depth,
+            output=output.value,
+        )
         got = client.render_frame(request, SUFFIXES[out.suffix.lower()])
     save_frame(got, out)
     timing = ", ".join(f"{name} {duration:.2f} ms" for name, duration in got.timing_ms.items())
