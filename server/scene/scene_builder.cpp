@@ -1,7 +1,6 @@
 // Collecting materials, textures and triangles within limits.
 #include "server/scene/scene_builder.h"
 
-#include <numeric>
 #include <stdexcept>
 
 #include "server/scene/triangulate.h"
@@ -98,20 +97,22 @@ void SceneBuilder::add_triangle(TriangleIndices triangle) {
 }
 
 void SceneBuilder::add_polygon(std::span<const MeshCorner> corners, u32 material) {
-  if (corners.size() < 3) {
+  corners_.clear();
+  for (const MeshCorner& corner : corners) corners_.push_back(add_vertex(corner));
+  add_polygon(corners_, material);
+}
+
+void SceneBuilder::add_polygon(std::span<const u32> vertices, u32 material) {
+  if (vertices.size() < 3) {
     ++not_faces_;
     return;
   }
-  if (corners.size() > kMostCorners) {
-    throw std::runtime_error("a polygon of " + std::to_string(corners.size()) + " corners; the most is " +
+  if (vertices.size() > kMostCorners) {
+    throw std::runtime_error("a polygon of " + std::to_string(vertices.size()) + " corners; the most is " +
                              std::to_string(kMostCorners));
   }
-  const u32 first = static_cast<u32>(scene_.positions.size());
-  for (const MeshCorner& corner : corners) add_vertex(corner);
-  if (corners.size() == 3) return add_triangle({first, first + 1, first + 2, material});
-  corners_.resize(corners.size());
-  std::iota(corners_.begin(), corners_.end(), first);
-  const std::vector<u32> cut = triangulate(corners_, scene_.positions);
+  if (vertices.size() == 3) return add_triangle({vertices[0], vertices[1], vertices[2], material});
+  const std::vector<u32> cut = triangulate(vertices, scene_.positions);
   for (size_t i = 0; i < cut.size(); i += 3) add_triangle({cut[i], cut[i + 1], cut[i + 2], material});
 }
 

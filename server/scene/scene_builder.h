@@ -39,6 +39,8 @@ class SceneBuilder {
   void add_triangle(TriangleIndices triangle);
   /// Cut into n - 2 triangles; one with fewer than three corners is counted and left out.
   void add_polygon(std::span<const MeshCorner> corners, u32 material);
+  /// The same of vertices that are already there.
+  void add_polygon(std::span<const u32> vertices, u32 material);
 
   /// `place` is "<file>, line <n>" or the like. After a hundred warnings the rest is only counted.
   void warn(const std::string& place, const std::string& message);
@@ -60,7 +62,7 @@ class SceneBuilder {
   u64 texels_left_;
   u64 not_finite_ = 0, not_faces_ = 0, unshown_warnings_ = 0;
   bool has_normals_ = false, has_texcoords_ = false;
-  std::vector<u32> corners_;
+  std::vector<u32> corners_;  // of one polygon
 };
 
 /// "<file>, line <n>".
