@@ -86,7 +86,9 @@ void read_lights(const JsonNode& node, std::vector<Light>& lights) {
 
 Appearance read_appearance(const JsonNode& root) {
   Appearance appearance;
-  for (const JsonNode& m : root.at("materials").items(1)) appearance.materials.push_back(read_material(m));
+  if (const auto materials = root.find("materials")) {
+    for (const JsonNode& m : materials->items(1)) appearance.materials.push_back(read_material(m));
+  }
   read_lights(root.at("lights"), appearance.lights);
   appearance.ambient = root.at("ambient").vector(0.0f, 1.0f);
   appearance.background = root.at("background").vector(0.0f, 1.0f);
@@ -153,6 +155,9 @@ OriginalSource read_original(const JsonNode& node, const Appearance& appearance)
   if (node.find("member")) node.at("member").text();
   source.appearance = appearance;
   if (const auto look = node.find("look")) read_look(*look, source);
+  if (source.appearance.materials.empty() && !source.from_file.materials) {
+    node.fail("has no materials: neither the manifest's nor, by 'look', the file's");
+  }
   return source;
 }
 
@@ -204,7 +209,10 @@ Manifest read_manifest(const std::filesystem::path& file) {
   source.allow_only({"original", "generator"});
   manifest.appearance = read_appearance(root);
   if (const auto original = source.find("original")) manifest.original = read_original(*original, manifest.appearance);
-  if (const auto generator = source.find("generator")) manifest.generator = read_generator(*generator);
+  if (const auto generator = source.find("generator")) {
+    manifest.generator = read_generator(*generator);
+    if (manifest.appearance.materials.empty()) generator->fail("needs 'materials' in the manifest");
+  }
   if (!manifest.original && !manifest.generator) source.fail("must have 'original', 'generator' or both");
   if (const auto paper = root.find("paper")) {
     check_paper(*paper);
