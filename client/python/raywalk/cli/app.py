@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from raywalk import __version__
-from raywalk.cli import bench, demo, doctor, kernels, render, scenes, structures, tables
+from raywalk.cli import bench, demo, doctor, kernels, render, scenes, structures, study, tables
 from raywalk.cli.session import CleanGroup, Settings
 
 app = typer.Typer(
@@ -61,6 +61,7 @@ app.command()(render.walk)
 app.command()(bench.bench)
 app.command()(tables.tables)
 app.command()(demo.demo)
+app.command()(study.study)
 app.command()(doctor.doctor)
 app.command()(kernels.kernels)
 

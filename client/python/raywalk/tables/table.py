@@ -44,6 +44,7 @@ class Table:
     notes: list[str] = field(default_factory=list)
     sections: set[int] = field(default_factory=set)  # rows that a rule precedes on the terminal
     best: set[int] = field(default_factory=set)  # rows set off as the best of their group
+    best_cells: set[tuple[int, int]] = field(default_factory=set)  # (row, column) set off within a row
 
     def drop_empty(self) -> None:
         """Drops the optional columns without a cell."""
@@ -52,19 +53,26 @@ class Table:
             for number, column in enumerate(self.columns)
             if not column.optional or any(row[number] is not None for row in self.rows)
         ]
+        self.best_cells = {(row, kept.index(column)) for row, column in self.best_cells if column in kept}
         self.columns = [self.columns[number] for number in kept]
         self.rows = [[row[number] for number in kept] for row in self.rows]
+
+    def shown(self, row: int) -> list[tuple[str, bool]]:
+        """The cells of a row as they are shown, each with whether it is set off."""
+        cells = [column.show(cell) for column, cell in zip(self.columns, self.rows[row], strict=True)]
+        return [
+            (cell, cell not in ("", NONE) and (row in self.best or (row, column) in self.best_cells))
+            for column, cell in enumerate(cells)
+        ]
 
 
 def markdown(table: Table) -> str:
     lines = [table.machine, "", f"**{table.title}**", ""]
     lines.append("| " + " | ".join(column.title for column in table.columns) + " |")
     lines.append("|" + "|".join("---" if column.left else "---:" for column in table.columns) + "|")
-    for number, row in enumerate(table.rows):
-        cells = [column.show(cell).replace("|", "\\|") for column, cell in zip(table.columns, row, strict=True)]
-        if number in table.best:
-            cells = [f"**{cell}**" if cell and cell != NONE else cell for cell in cells]
-        lines.append("| " + " | ".join(cells) + " |")
+    for number in range(len(table.rows)):
+        cells = [(cell.replace("|", "\\|"), best) for cell, best in table.shown(number)]
+        lines.append("| " + " | ".join(f"**{cell}**" if best else cell for cell, best in cells) + " |")
     lines += [""] + [f"- {note}" for note in table.notes] if table.notes else []
     return "\n".join(lines) + "\n"
 
@@ -82,9 +90,9 @@ def terminal(table: Table) -> RichTable:
     for column in table.columns:
         heading = f"[cyan]{column.group}[/]\n{column.name}" if column.group else f"\n{column.name}"
         shown.add_column(heading, justify="left" if column.left else "right", no_wrap=True)
-    for number, row in enumerate(table.rows):
+    for number in range(len(table.rows)):
         if number in table.sections:
             shown.add_section()
-        cells = [escape(column.show(cell)) for column, cell in zip(table.columns, row, strict=True)]
-        shown.add_row(*cells, style="bold green" if number in table.best else None)
+        cells = [(escape(cell), best) for cell, best in table.shown(number)]
+        shown.add_row(*(f"[bold green]{cell}[/]" if best else cell for cell, best in cells))
     return shown
