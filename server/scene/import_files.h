@@ -25,6 +25,7 @@ struct ImportSettings {
   DecodeTexture decode{};        // without it every texture is missing
   ImportLimits limits{};
   u32 sphere_slices = 20, sphere_stacks = 10;  // of spheres in formats that leave their tessellation to the reader
+  u32 cone_slices = 20;  // of AFF's cones; 0 leaves them out, as the published triangle counts of BART scenes do
 };
 
 class ImportFiles {
