@@ -18,6 +18,9 @@ using u64 = unsigned long long;
 
 constexpr float kMaxFloat = 3.402823466e+38f;
 
+/// Whether code is compiled for the features of one scene, or once for all scenes.
+constexpr bool kCompiledForScene = RW_GPU != 0;
+
 // Contraction is off on both sides; a fused multiply-add happens exactly where it is written.
 #if RW_GPU
 RW_FN float fma(float a, float b, float c) {

@@ -29,17 +29,17 @@ struct TexCoord {
 
 constexpr u32 kNoTexture = 0xffffffffu;
 
-/// Phong with Whitted's mirror and glass terms. Colours are in [0, 1] except emission (>= 0); shininess is an exponent,
-/// ior > 0.
+/// Phong with Whitted's mirror and glass terms; black unless said. Colours are in [0, 1] except emission (>= 0);
+/// shininess is an exponent, ior > 0.
 struct Material {
-  Vec3 ambient;
-  Vec3 diffuse;
-  Vec3 specular;
-  Vec3 reflection;    // weight of the mirrored ray
-  Vec3 transmission;  // weight of the refracted ray
-  Vec3 emission;      // added whatever the lights do
-  float shininess;
-  float ior;
+  Vec3 ambient{};
+  Vec3 diffuse{};
+  Vec3 specular{};
+  Vec3 reflection{};    // weight of the mirrored ray
+  Vec3 transmission{};  // weight of the refracted ray; colours shadows too
+  Vec3 emission{};      // added whatever the lights do
+  float shininess = 1.0f;
+  float ior = 1.0f;
   u32 texture = kNoTexture;  // its colour multiplies ambient and diffuse
 };
 

@@ -12,22 +12,31 @@ RW_FN u32 lights_of(SceneView scene) {
   return (kFeatures & kFeatureManyLights) ? scene.light_count() : smaller(scene.light_count(), 1u);
 }
 
-RW_FN PhongTerms phong_terms(SceneView scene, u32 material) {
+/// The local model's terms at a surface.
+template <u32 kFeatures>
+RW_FN PhongTerms phong_terms(SceneView scene, u32 material, Vec3 tint) {
   const Material& m = scene.materials()[material];
-  return {m.diffuse, m.specular, m.shininess};
+  PhongTerms terms{m.diffuse, m.specular, m.shininess};
+  if constexpr ((kFeatures & kFeatureTextures) != 0) terms.diffuse = terms.diffuse * tint;
+  return terms;
 }
 
-RW_FN Vec3 ambient_of(SceneView scene, u32 material) {
-  return scene.materials()[material].ambient * scene.header().ambient;
+/// What a surface shows without any lamp: its share of the ambient light and what it emits.
+template <u32 kFeatures>
+RW_FN Vec3 unlit(SceneView scene, u32 material, Vec3 tint) {
+  const Material& m = scene.materials()[material];
+  Vec3 ambient = m.ambient * scene.header().ambient;
+  if constexpr ((kFeatures & kFeatureTextures) != 0) ambient = ambient * tint;
+  return ambient + m.emission;
 }
 
 /// What a primary ray of unit direction `d` shows: every lamp shines on everything.
 template <u32 kFeatures>
 RW_FN Vec3 unshadowed(SceneView scene, const Hit& hit, Vec3 d) {
   if (hit.id == kMiss) return scene.header().background;
-  const Surface s = surface_at<(kFeatures & kFeatureNormals) != 0>(scene, hit, d);
-  const PhongTerms terms = phong_terms(scene, s.material);
-  Vec3 sum = ambient_of(scene, s.material);
+  const Surface s = surface_at<kFeatures>(scene, hit, d);
+  const PhongTerms terms = phong_terms<kFeatures>(scene, s.material, s.tint);
+  Vec3 sum = unlit<kFeatures>(scene, s.material, s.tint);
   for (u32 l = 0; l < lights_of<kFeatures>(scene); ++l) {
     const Light& light = scene.lights()[l];
     sum = sum + phong<(kFeatures & kFeatureSpecular) != 0>(terms, light.intensity, s.normal,

@@ -10,6 +10,8 @@ struct SurfaceBatch {
   u32 material[kBatch];
 };
 
+constexpr Vec3 kWhite{1, 1, 1};
+
 template <bool kNormals>
 void surfaces_of(SceneView scene, const HitBatch& batch, SurfaceBatch& surfaces) {
   // Locals that nothing else can alias, or the loops stay scalar.
@@ -61,13 +63,12 @@ void unshadowed_batch(SceneView scene, const HitBatch& batch, Vec3Batch& colors)
   } else {
     surfaces_of<false>(scene, batch, surfaces);
   }
-  bool same = true;
-  for (u32 i = 0; i < kBatch; ++i) {
-    same &= surfaces.material[i] == surfaces.material[0];
-    colors.set(i, ambient_of(scene, surfaces.material[i]));
-  }
+  bool same = scene.materials()[surfaces.material[0]].texture == kNoTexture;
+  for (u32 i = 1; i < kBatch; ++i) same &= surfaces.material[i] == surfaces.material[0];
   if (same) {  // most batches: the terms stay in registers
-    const PhongTerms terms = phong_terms(scene, surfaces.material[0]);
+    const Vec3 start = unlit<0>(scene, surfaces.material[0], kWhite);
+    for (u32 i = 0; i < kBatch; ++i) colors.set(i, start);
+    const PhongTerms terms = phong_terms<0>(scene, surfaces.material[0], kWhite);
     light_batch(
         scene, surfaces, batch.d, [&](u32) { return terms; }, colors);
     return;
@@ -75,7 +76,10 @@ void unshadowed_batch(SceneView scene, const HitBatch& batch, Vec3Batch& colors)
   Vec3Batch diffuse, specular;
   alignas(32) float shininess[kBatch];
   for (u32 i = 0; i < kBatch; ++i) {
-    const PhongTerms terms = phong_terms(scene, surfaces.material[i]);
+    const u32 material = surfaces.material[i];
+    const Vec3 tint = tint_at(scene, scene.triangles()[batch.id[i]], batch.u[i], batch.v[i]);
+    colors.set(i, unlit<kAllFeatures>(scene, material, tint));
+    const PhongTerms terms = phong_terms<kAllFeatures>(scene, material, tint);
     diffuse.set(i, terms.diffuse);
     specular.set(i, terms.specular);
     shininess[i] = terms.shininess;

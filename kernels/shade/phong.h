@@ -12,6 +12,10 @@ RW_FN Vec3 reflected(Vec3 d, Vec3 n) {
 /// Direction of the refracted ray; false on total reflection. `n` faces against the unit direction `d`; `eta` is the
 /// index of the medium that the ray leaves over the one that it enters.
 RW_FN bool refracted(Vec3 d, Vec3 n, float eta, Vec3& out) {
+  if (eta == 1.0f) {  // straight on, to the bit
+    out = d;
+    return true;
+  }
   const float cosine = -dot(d, n);
   const float k = fma(-eta * eta, fma(-cosine, cosine, 1.0f), 1.0f);
   if (k < 0.0f) return false;

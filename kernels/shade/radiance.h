@@ -4,6 +4,7 @@
 #include "kernels/features.h"
 #include "kernels/frame_request.h"
 #include "kernels/shade/direct.h"
+#include "kernels/shade/shadow.h"
 
 namespace raywalk {
 
@@ -19,11 +20,15 @@ struct PendingRay {
 /// Colours of `Tracer::kLocal` pixels (x[i], y[i]) of which `active` ones are wanted; others are left alone.
 /// A tracer has kLocal, closest(rays, active, hits) and occluded(rays, active, occluded) over arrays of kLocal lanes,
 /// and any(flags), true if a flag of any lane of the group is set.
+/// Shadow rays end at any hit, but in Mode::whitted, in a scene with glass: there glass colours the light.
 template <u32 kFeatures, class Tracer>
 RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, const u32* x, const u32* y,
                     const bool* active, Vec3* color) {
   constexpr u32 kLocal = Tracer::kLocal;
   constexpr bool kSecondary = (kFeatures & (kFeatureReflection | kFeatureRefraction)) != 0;
+  constexpr bool kGlass = (kFeatures & kFeatureRefraction) != 0;
+  const bool colored_shadows = kGlass && args.mode == Mode::whitted &&
+                               (kCompiledForScene || (scene.header().features & kFeatureRefraction) != 0);
   const u32 lights = lights_of<kFeatures>(scene);
 
   Ray rays[kLocal];
@@ -62,8 +67,8 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
         color[i] = color[i] + weight[i] * scene.header().background;
         continue;
       }
-      surfaces[i] = surface_at<(kFeatures & kFeatureNormals) != 0>(scene, hits[i], rays[i].d);
-      color[i] = color[i] + weight[i] * ambient_of(scene, surfaces[i].material);
+      surfaces[i] = surface_at<kFeatures>(scene, hits[i], rays[i].d);
+      color[i] = color[i] + weight[i] * unlit<kFeatures>(scene, surfaces[i].material, surfaces[i].tint);
     }
 
     for (u32 l = 0; l < lights; ++l) {
@@ -76,8 +81,9 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
         if (!lit[i]) continue;
         const Surface& s = surfaces[i];
         const Vec3 to_light = light.position - s.position;
-        contribution[i] = phong<(kFeatures & kFeatureSpecular) != 0>(phong_terms(scene, s.material), light.intensity,
-                                                                     s.normal, normalized(to_light), rays[i].d);
+        contribution[i] =
+            phong<(kFeatures & kFeatureSpecular) != 0>(phong_terms<kFeatures>(scene, s.material, s.tint),
+                                                       light.intensity, s.normal, normalized(to_light), rays[i].d);
         wanted[i] = largest(contribution[i]) > 0.0f;
         if (wanted[i]) {
           const Vec3 origin = spawn_origin(s, to_light);
@@ -85,6 +91,14 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
         }
       }
       if (!tracer.any(wanted)) continue;
+      if constexpr (kGlass) {
+        if (colored_shadows) {
+          filter_light(tracer, scene, light.position, shadow, wanted, contribution);
+          for (u32 i = 0; i < kLocal; ++i)
+            if (largest(contribution[i]) > 0.0f) color[i] = color[i] + weight[i] * contribution[i];
+          continue;
+        }
+      }
       bool occluded[kLocal];
       tracer.occluded(shadow, wanted, occluded);
       for (u32 i = 0; i < kLocal; ++i)
@@ -97,13 +111,17 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
       if (lit[i] && bounces_left[i] > 0) {
         const Surface& s = surfaces[i];
         const Material& m = scene.materials()[s.material];
-        // Vertex normals may lean away from the ray, or send its mirror image into the solid: then the triangle's own.
+        // Vertex normals may lean away from the ray, or send its mirror image into the solid or the refracted one back
+        // out: then the triangle's own.
         const Vec3 plane = s.front ? s.geometric_normal : -s.geometric_normal;
         const Vec3 n = dot(rays[i].d, s.normal) < 0.0f ? s.normal : plane;
         Vec3 mirrored = m.reflection;
-        if ((kFeatures & kFeatureRefraction) && largest(m.transmission) > 0.0f) {
+        if (kGlass && largest(m.transmission) > 0.0f) {
+          const float eta = s.front ? reciprocal(m.ior) : m.ior;
           Vec3 d;
-          if (refracted(rays[i].d, n, s.front ? reciprocal(m.ior) : m.ior, d)) {
+          bool passes = refracted(rays[i].d, n, eta, d);
+          if (passes && dot(d, plane) > 0.0f) passes = refracted(rays[i].d, plane, eta, d);
+          if (passes) {
             pending[i][waiting[i]++] = {
                 {spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * m.transmission, bounces_left[i] - 1};
           } else {

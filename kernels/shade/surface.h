@@ -1,7 +1,9 @@
 // The point that a ray hit: position with its rounding error, normals, and rays that leave it without meeting it again.
 #pragma once
+#include "kernels/features.h"
 #include "kernels/ray.h"
 #include "kernels/scene_view.h"
+#include "kernels/shade/texture.h"
 
 namespace raywalk {
 
@@ -13,6 +15,7 @@ struct Surface {
   Vec3 normal;            // unit, interpolated, on the side that the ray came from
   bool front;             // the ray came from the side that the geometric normal points to
   u32 material;
+  Vec3 tint;  // the texture's colour, white without one; only with kFeatureTextures
 };
 
 /// The surface where a ray of direction `d` meets the triangle a b c at barycentrics u, v; no memory is read and no
@@ -38,6 +41,7 @@ RW_FN Surface surface_of(Vec3 a, Vec3 b, Vec3 c, float u, float v, Vec3 interpol
                      usable ? n.z : s.geometric_normal.z};
   s.normal = shading * (s.front ? 1.0f : -1.0f);
   s.material = material;
+  s.tint = {1, 1, 1};
   return s;
 }
 
@@ -48,13 +52,16 @@ RW_FN Vec3 interpolated_normal(SceneView scene, const TriangleIndices& indices, 
   return (1.0f - u - v) * normals[indices.a] + u * normals[indices.b] + v * normals[indices.c];
 }
 
-/// `hit` is a hit of a ray with direction `d`. kNormals: whether to look for vertex normals.
-template <bool kNormals>
+/// `hit` is a hit of a ray with direction `d`. Vertex normals and textures count where the features have them.
+template <u32 kFeatures>
 RW_FN Surface surface_at(SceneView scene, const Hit& hit, Vec3 d) {
   const Corners& t = scene.corners()[hit.id];
   const TriangleIndices& indices = scene.triangles()[hit.id];
-  const Vec3 interpolated = kNormals ? interpolated_normal(scene, indices, hit.u, hit.v) : Vec3{0, 0, 0};
-  return surface_of(t.a, t.b, t.c, hit.u, hit.v, interpolated, d, indices.material);
+  Vec3 interpolated{0, 0, 0};
+  if constexpr ((kFeatures & kFeatureNormals) != 0) interpolated = interpolated_normal(scene, indices, hit.u, hit.v);
+  Surface s = surface_of(t.a, t.b, t.c, hit.u, hit.v, interpolated, d, indices.material);
+  if constexpr ((kFeatures & kFeatureTextures) != 0) s.tint = tint_at(scene, indices, hit.u, hit.v);
+  return s;
 }
 
 /// Start of a ray that leaves towards `d`: moved along the geometric normal past the error of the position (Pharr et

@@ -107,7 +107,8 @@ TEST_F(GpuHits, FramesAreTheSameWithFewestAndWithAllFeatures) {
   config.all_features = true;
   const auto complete = open_cuda_device(config);
   ASSERT_NE(complete.device, nullptr) << complete.why_not;
-  const test::RoomOptions variants[] = {{}, {false, false, false, 1}, {true, false, true, 1}, {false, true, false, 3}};
+  const test::RoomOptions variants[] = {
+      {}, {false, false, false, 1, false}, {true, false, true, 1, false}, {false, true, false, 3}};
   for (const test::RoomOptions& options : variants) {
     const SceneBlob scene = std::make_shared<const Blob>(test::room(options));
     for (const TraversalType& type : traversal_types()) {

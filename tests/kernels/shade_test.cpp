@@ -53,7 +53,7 @@ Vec3 pixel(SceneView scene, const FrameArgs& args, u32 x, u32 y, auto radiance_o
 }
 
 TEST(Features, AbsentOnesChangeNoPixel) {
-  const Blob plain = test::room({.mirror = false, .glass = false, .specular = false, .lights = 1});
+  const Blob plain = test::room({.mirror = false, .glass = false, .specular = false, .lights = 1, .texture = false});
   ASSERT_EQ(plain.header<SceneHeader>().features, 0u);
   const SceneView scene{plain.data()};
   const FrameArgs args{test::room_camera(24, 16), 24, 16, Mode::whitted, 4};
@@ -88,11 +88,12 @@ TEST(Features, EachPresentOneChangesTheImage) {
   EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~kFeatureSpecular>());
   EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~kFeatureRefraction>());
   EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~kFeatureManyLights>());
+  EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~kFeatureTextures>());
   EXPECT_FALSE(all == image.template operator()<kAllFeatures & ~(kFeatureReflection | kFeatureRefraction)>());
 }
 
-TEST(Whitted, DepthZeroIsShadowMode) {
-  const Blob rich = test::room({});
+TEST(Whitted, DepthZeroIsShadowModeWithoutGlass) {
+  const Blob rich = test::room({.glass = false});
   const SceneView scene{rich.data()};
   FrameArgs whitted{test::room_camera(24, 16), 24, 16, Mode::whitted, 0};
   FrameArgs shadow = whitted;
@@ -125,7 +126,7 @@ int spawn_from(const Corners& t, test::Random& random) {
   Hit hit;
   tracer.closest(&ray, &active, &hit);
   if (hit.id == kMiss) return 0;
-  const Surface s = surface_at<true>(scene, hit, ray.d);
+  const Surface s = surface_at<kAllFeatures>(scene, hit, ray.d);
   int left = 0;
   for (int j = 0; j < 8; ++j) {
     Vec3 d = direction();
@@ -184,7 +185,7 @@ TEST(Spawn, AShellCloseByIsStillMet) {
       Hit hit;
       tracer.closest(&out, &active, &hit);
       ASSERT_LT(hit.id, inner);
-      const Surface s = surface_at<true>(scene, hit, d);
+      const Surface s = surface_at<kAllFeatures>(scene, hit, d);
       const Ray leaving{spawn_origin(s, d), 0.0f, d, kMaxFloat};
       tracer.closest(&leaving, &active, &hit);
       ASSERT_TRUE(hit.id != kMiss && hit.id >= inner) << "ray " << k;

@@ -63,6 +63,8 @@ TEST(Pack, features_follow_the_scene) {
   scene.normals.resize(4);
   scene.lights.resize(2);
   scene.materials[0].transmission.x = scene.materials[0].specular.z = 1.0f;
+  EXPECT_EQ(features_of(scene), kAllFeatures & ~kFeatureTextures);
+  scene.materials[0].texture = 0;
   EXPECT_EQ(features_of(scene), kAllFeatures);
 }
 

@@ -32,15 +32,7 @@ inline Blob make_scene(Mesh mesh) {
     slice_of(blob, header.corners)[i] = mesh[i];
     slice_of(blob, header.triangles)[i] = {3 * i, 3 * i + 1, 3 * i + 2, 0};
   }
-  slice_of(blob, header.materials)[0] = {
-      .ambient = {0.1f, 0.1f, 0.1f},
-      .diffuse = {0.8f, 0.8f, 0.8f},
-      .specular = {},
-      .reflection = {},
-      .transmission = {},
-      .shininess = 1.0f,
-      .ior = 1.0f,
-  };
+  slice_of(blob, header.materials)[0] = {.ambient = {0.1f, 0.1f, 0.1f}, .diffuse = {0.8f, 0.8f, 0.8f}};
   slice_of(blob, header.lights)[0] = {.position = {10.0f, 10.0f, 10.0f}, .intensity = {1.0f, 1.0f, 1.0f}};
   std::memcpy(blob.data(), &header, sizeof header);
   return blob;

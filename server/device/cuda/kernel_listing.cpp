@@ -27,10 +27,11 @@ std::vector<KernelSpec> representative_kernels() {
   std::vector<KernelSpec> specs;
   for (const TraversalType& type : traversal_types()) {
     for (const Mode mode : {Mode::primary, Mode::shadow, Mode::whitted}) {
-      for (const u32 features : {0u, kAllFeatures}) {
+      for (const u32 features : {0u, kAllFeatures & ~kFeatureTextures}) {
         specs.push_back(kernel_spec(type, {}, Program::frame, mode, features));
       }
     }
+    specs.push_back(kernel_spec(type, {}, Program::frame, Mode::whitted, kAllFeatures));
     specs.push_back(kernel_spec(type, {}, Program::trace, Mode::primary, 0));
     if (type.type == "BvhWhileWhile")
       specs.push_back(kernel_spec(type, {{"intersector", 1}}, Program::trace, Mode::primary, 0));

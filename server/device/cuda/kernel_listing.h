@@ -9,8 +9,8 @@
 
 namespace raywalk::cuda {
 
-/// Every traversal with every program and mode, with the fewest and with all features, as requests without options run
-/// them; and one with the other ray-triangle test.
+/// Every traversal with every program and mode, with the fewest features and with all but textures, as requests without
+/// options run them; with textures too where all features count; and one with the other ray-triangle test.
 std::vector<KernelSpec> representative_kernels();
 
 struct ListedKernel {
