@@ -409,7 +409,7 @@ class FrameRequest(BaseModel):
     """
     mode: Literal["primary", "shadow", "whitted"] | None = None
     """
-    primary: Phong from primary rays; shadow: primary and one shadow ray a light; whitted: also reflection and refraction to `depth` bounces.
+    primary: Phong from primary rays; shadow: primary and one shadow ray a light; whitted: also reflection and refraction to `depth` bounces, and glass colours shadows instead of casting its own.
     """
     depth: Annotated[int | None, Field(ge=0, le=16)] = 2
     """
