@@ -1,4 +1,4 @@
-// Evaluation of orbits and centripetal Catmull-Rom splines.
+// Evaluation of orbits, centripetal Catmull-Rom splines and keyframed cameras.
 #include "server/scene/camera_path.h"
 
 #include <algorithm>
@@ -95,6 +95,20 @@ CameraPose pose_on(const SplinePath& spline, u32 frame, u32 frame_count) {
   const float s = frame_count > 1 ? static_cast<float>(frame) / static_cast<float>(frame_count - 1) : 0.0f;
   const CameraKey key = along(spline.keys, s);
   return {key.eye, key.target, spline.up, key.vertical_fov_deg};
+}
+
+Vec3 narrow(const glm::dvec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+CameraPose pose_on(const KeyframedPath& path, u32 frame, u32 frame_count) {
+  const double s = frame_count > 1 ? static_cast<double>(frame) / (frame_count - 1) : 0.0;
+  const double time = path.start + (path.end - path.start) * s;
+  const glm::dvec3 eye = path.position.at(time);
+  const glm::dmat3 rotation = glm::mat3_cast(path.rotation.at(time));
+  // A target as far away as the origin keeps its direction when the coordinates are rounded.
+  const glm::dvec3 target = eye - std::max(1.0, glm::length(eye)) * rotation[2];
+  return {narrow(eye), narrow(target), narrow(rotation[1]), path.vertical_fov_deg};
 }
 
 }  // namespace
