@@ -3,8 +3,6 @@
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from pydantic import ValidationError
-
 from raywalk.errors import RaywalkError
 from raywalk.models import BenchmarkResult, Machine, Scene
 from raywalk.study.parameters import Parameters
@@ -87,11 +85,11 @@ def add(study: Study, store: Store, step: Step) -> None:
             study.pictures[step.scene] = Picture(step.scene, store.image(step.scene), **view)
             return
         found = [BenchmarkResult.model_validate(result) for result in record["results"]]
-    except (KeyError, TypeError, ValueError, ValidationError) as error:
+        if step.kind == "measure":
+            study.results[step.scene] = found[0]
+        elif step.kind == "resolution":
+            study.resolutions.setdefault(step.scene, []).extend(found)
+        else:
+            study.kernels += found
+    except (LookupError, TypeError, ValueError) as error:
         raise RaywalkError(f"the file of step {step.key} is damaged: remove it, or start over with --fresh") from error
-    if step.kind == "measure":
-        study.results[step.scene] = found[0]
-    elif step.kind == "resolution":
-        study.resolutions.setdefault(step.scene, []).extend(found)
-    else:
-        study.kernels += found

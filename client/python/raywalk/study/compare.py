@@ -39,10 +39,13 @@ class Ratio:
             return "slower"
         return "even"
 
+    @property
+    def interval(self) -> str:
+        """The ratio alone where there is no interval."""
+        return f"{self.value:.2f}x" if self.low == self.high else f"{self.low:.2f} to {self.high:.2f}"
+
     def __str__(self) -> str:
-        if self.low == self.high:
-            return f"{self.value:.2f}x"
-        return f"{self.value:.2f}x ({self.low:.2f} to {self.high:.2f})"
+        return f"{self.value:.2f}x" + ("" if self.low == self.high else f" ({self.interval})")
 
 
 def ratio(slow: Times, fast: Times) -> Ratio:

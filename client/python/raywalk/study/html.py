@@ -6,6 +6,7 @@ from itertools import groupby
 from raywalk.tables.table import Table
 
 VERDICTS = {"holds": "yes", "does not hold": "no", "undecided": "open"}  # classes of the chips
+SHOWN_NOTES = 6
 
 
 def tag(name: str, inner: str, class_: str = "", **attributes: str) -> str:
@@ -37,7 +38,15 @@ def table_html(table: Table) -> str:
     """Scrolls inside its box where it is wider than the page; notes below."""
     body = "".join(body_row(table, number) for number in range(len(table.rows)))
     whole = tag("table", tag("thead", heads(table)) + tag("tbody", body))
-    return tag("h3", escape(table.title)) + tag("div", whole, "scroll", tabindex="0") + bullets(table.notes)
+    return tag("h3", escape(table.title)) + tag("div", whole, "scroll", tabindex="0") + notes(table.notes)
+
+
+def notes(said: list[str]) -> str:
+    """Many of them open on demand."""
+    if len(said) <= SHOWN_NOTES:
+        return bullets(said)
+    rest = said[SHOWN_NOTES:]
+    return bullets(said[:SHOWN_NOTES]) + tag("details", tag("summary", f"{len(rest)} more notes") + bullets(rest))
 
 
 def heads(table: Table) -> str:

@@ -5,7 +5,7 @@ from typing import Any
 
 from raywalk import sweep
 from raywalk.client import Client
-from raywalk.follow import benchmark
+from raywalk.follow import benchmark, built
 from raywalk.models import BenchmarkResult, BenchmarkSpec, FrameRequest, Job, PathFrame, Scene, Technique
 from raywalk.study.parameters import DEPTH, MODES, PATH_FRAMES, Parameters
 from raywalk.study.plan import Step
@@ -76,6 +76,7 @@ class Measurer:
     def _image(self, step: Step) -> dict[str, Any]:
         own = self._parameters
         structure, traversal = IMAGE_TECHNIQUE.split("/")
+        built(self._client, step.scene, structure)
         request = FrameRequest(
             scene=step.scene,
             structure=structure,

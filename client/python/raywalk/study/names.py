@@ -12,7 +12,7 @@ NAMES = {
     KDT3: "kdt-3",
     KDT2: "kdt-2",
     BVH: "BVH",
-    PER_RAY: "BVH per ray",
+    PER_RAY: "per-ray BVH",
     EMBREE: "Embree",
 }
 FAMILIES = {"grid": (GRID,), "kd-tree": (KDT3, KDT2), "BVH": (BVH, PER_RAY)}

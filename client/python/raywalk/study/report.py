@@ -95,20 +95,22 @@ def findings_section(study: Study, found: list[Finding]) -> str:
 
 def card(one: Finding) -> str:
     inner = chip(one.here.verdict, VERDICTS[one.here.verdict]) + tag("h3", escape(one.conclusion.words))
+    inner += paragraph(f"{one.here.mean.value:.2f}x" if one.here.mean else "—", "large")
+    inner += paragraph(f"{one.conclusion.asks}.", "faint")
     inner += paragraph(f"Here: {one.here.why}.")
     inner += paragraph(f"By the paper's own tables, the same scenes: {one.paper.verdict}: {one.paper.why}.", "faint")
-    inner += paragraph(f"The paper, {one.conclusion.source}. Compared: {one.conclusion.asks}.", "faint")
-    return tag("article", inner + evidence(one.here), "card")
+    about = paragraph(f"The paper, {one.conclusion.source}.", "faint")
+    return tag(
+        "article", inner + tag("details", tag("summary", "what was compared") + about + evidence(one.here)), "card"
+    )
 
 
 def evidence(ruling: Ruling) -> str:
-    if not ruling.evidence:
-        return ""
     rows = "".join(
         tag("tr", tag("th", escape(one.scene)) + tag("td", one.mode) + tag("td", escape(str(one.ratio))))
         for one in ruling.evidence
     )
-    return tag("details", tag("summary", f"{len(ruling.evidence)} comparisons") + tag("table", tag("tbody", rows)))
+    return tag("table", tag("tbody", rows))
 
 
 def winners_section(wins: list[Win]) -> str:
@@ -129,9 +131,11 @@ def win_cell(win: Win) -> str:
     name = f"{win.row.structure}/{win.row.traversal}"
     dot = tag("span", "", "dot", style=f"background:var(--{CLASSES[name][2:]})")
     if win.even:
-        return dot + f"{tag('b', escape(win.family))} and {escape(win.second)}, even ({win.margin})"
-    by = "" if NAMES[name] == win.family else f" by {NAMES[name]}"
-    return dot + f"{tag('b', escape(win.family))}{escape(by)}, {win.margin} over {escape(win.second)}"
+        words = f"{tag('b', escape(win.family))} and {escape(win.second)}, even"
+    else:
+        words = f"{tag('b', escape(win.family))} {win.margin.value:.2f}x"
+    by = "" if NAMES[name] == win.family else f"{NAMES[name]}; "
+    return dot + words + tag("small", escape(f"{by}{win.margin.interval} over the {win.second}"))
 
 
 def times_section(study: Study) -> str:

@@ -39,6 +39,8 @@ dd{margin:0;overflow-wrap:anywhere}
 .card{padding:18px 20px;break-inside:avoid}
 .card h3{margin:8px 0 8px;font-size:17px;line-height:1.35}
 .card p{font-size:14.5px;margin-bottom:8px}
+.card .large{font-size:34px;line-height:1.1;font-weight:650;letter-spacing:-.02em;margin:2px 0 10px}
+.wins small{display:block;color:var(--faint);padding-left:18px}
 .chip{display:inline-block;font-size:12.5px;font-weight:600;border-radius:99px;padding:2px 11px;
 border:1px solid currentColor}
 .yes{color:var(--yes)}.no{color:var(--no)}.open{color:var(--open)}.plain{color:var(--faint)}

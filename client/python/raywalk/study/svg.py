@@ -29,6 +29,7 @@ DARK = {
     "ray": "#a9c0ff",
     "embree": "#737b89",
 }
+MOST_GROWN = 1.3  # in a wide page
 RULES = (
     "svg text{font-family:system-ui,sans-serif;fill:var(--ink);font-size:12px}"
     "svg .small{font-size:11px;fill:var(--faint)}svg .heading{font-size:14px;font-weight:600}"
@@ -78,5 +79,6 @@ def document(width: float, height: float, body: str, title: str, standalone: boo
     """`standalone` is for a file of its own; in a page the page's style holds."""
     inner = element("title", escape(title)) + (standalone_style() if standalone else "") + body
     attributes = {"xmlns": "http://www.w3.org/2000/svg", "viewBox": f"0 0 {width:.0f} {height:.0f}", "role": "img"}
-    size = {"width": f"{width:.0f}", "height": f"{height:.0f}"} if standalone else {}
+    own = {"width": f"{width:.0f}", "height": f"{height:.0f}"}
+    size = own if standalone else {"style": f"max-width:{MOST_GROWN * width:.0f}px"}
     return element("svg", inner, **attributes, **size)

@@ -53,7 +53,7 @@ def time_table(study: Study, mode: str, letter: str) -> Table:
         ours.append(row)
         if theirs:
             papers.append(theirs)
-            table.rows.append(["  paper", *cells(theirs, mode, techniques), None, None, None])
+            table.rows.append(["  paper", *cells(theirs, mode, techniques), "", "", ""])
     table.sections.add(len(table.rows))
     add_averages(table, mode, techniques, ours, papers)
     return table
@@ -61,8 +61,8 @@ def time_table(study: Study, mode: str, letter: str) -> Table:
 
 def add_averages(table: Table, mode: str, techniques: Sequence[str], ours: list[Row], papers: list[Row]) -> None:
     def line(name: str, percents: dict[str, float | int | None]) -> None:
-        shown = [cell for one in techniques for cell in (None, percent_text(percents.get(one)))]
-        table.rows.append([name, *shown, None, None, None])
+        shown = [cell for one in techniques for cell in ("", percent_text(percents.get(one)))]
+        table.rows.append([name, *shown, "", "", ""])
 
     line("average", averages(ours, mode, techniques))
     if papers:

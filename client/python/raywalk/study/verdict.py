@@ -40,12 +40,12 @@ def ruling(conclusion: Conclusion, figures: Figures) -> Ruling:
     evidence = tuple(conclusion.compare(figures))
     scenes = {one.scene for one in evidence}
     if not scenes:
-        return Ruling("undecided", "nothing of the kind was measured", None, ())
+        return Ruling("undecided", "there is nothing to compare", None, ())
     mean = overall([one.ratio for one in evidence])
     why = figures_of(evidence, mean)
     if 2 * len(scenes) < conclusion.scenes:
-        fewer = f"{len(scenes)} of the paper's {conclusion.scenes} scenes are too few"
-        return Ruling("undecided", f"{fewer}; {why}", mean, evidence)
+        few = f"{len(scenes)} scene is" if len(scenes) == 1 else f"{len(scenes)} scenes are"
+        return Ruling("undecided", f"{few} too few where the paper had {conclusion.scenes}; {why}", mean, evidence)
     if conclusion.least > 1:
         return Ruling(by_amount(conclusion.least, mean), why, mean, evidence)
     verdict, reason = by_side(evidence, mean)
