@@ -250,7 +250,9 @@ TEST(Glass, NeitherMakesNorLosesLight) {
         ASSERT_LE(look(both, eye, target, Mode::whitted, 8).x, 1.00001f);
       }
     }
-    if (side != 0) EXPECT_GE(unchanged, 2970u) << "flat facets alone keep light inside";
+    if (side != 0) {  // flat facets keep some light inside
+      EXPECT_GE(unchanged, 2970u) << side;
+    }
   }
 }
 
