@@ -33,7 +33,8 @@ PEERS = {("api", "http"), ("image", "device"), ("image", "scene"), ("bench", "ca
 
 # First letters of an angle include -> the units (or files) that may know the library.
 LIBRARIES = {
-    "nlohmann/": ("server/api", "server/http", "server/scene/json_node.h"),  # the last reads manifests
+    "nlohmann/": ("server/api", "server/http", "server/scene/json_node.h", "server/scene/formats/gltf"),
+    "tiny_gltf": ("server/scene/formats/gltf/tinygltf.h",),
     "valijson/": ("server/api", "server/http"),
     "httplib": ("server/http",),
     "CLI/": ("server/main", "scenes/generate_main.cpp"),
