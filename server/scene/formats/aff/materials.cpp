@@ -53,7 +53,7 @@ u32 Materials::textured(std::string_view image, const Text& text) {
   const auto [known, is_new] = texture_of_.try_emplace((folder / image).string());
   if (is_new) {
     known->second =
-        builder_.add_texture(image, {folder / "TextureFiles", folder / ".." / "TextureFiles", folder}, text.place());
+        builder_.add_texture(image, {folder, folder / "TextureFiles", folder / ".." / "TextureFiles"}, text.place());
   }
   return index_of(known->second);
 }

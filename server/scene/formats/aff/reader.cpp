@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRest = 0.0;  // the time at which objects are shown
 constexpr size_t kMostFilesDeep = 64;
-constexpr u64 kMostIncludes = 100'000;
+constexpr u64 kMostIncludes = 20'000;
 constexpr long long kMostDetail = 1'000'000;
 constexpr u32 kWalkthroughFrames = 400;
 

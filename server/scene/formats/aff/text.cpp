@@ -65,7 +65,7 @@ std::string_view Text::peek() {
 std::string_view Text::word() {
   const std::string_view word = peek();
   rest_.remove_prefix(word.size());
-  place_line_ = line_;
+  if (!word.empty()) place_line_ = line_;
   return word;
 }
 
