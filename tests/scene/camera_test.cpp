@@ -100,5 +100,29 @@ TEST(Walk, city_keeps_clear_of_the_buildings) {
   expect_clear("city", 350'000, 1.0f);
 }
 
+TEST(Walk, museum_keeps_clear_of_the_exhibits) {
+  expect_clear("museum", 14'380, 0.3f);
+}
+
+TEST(Walk, kitchen_keeps_clear_of_the_furniture) {
+  expect_clear("kitchen", 110'559, 0.25f);
+}
+
+TEST(Walk, robots_keeps_clear_of_the_robots) {
+  expect_clear("robots", 71'708, 1.0f);
+}
+
+TEST(Walk, theatre_keeps_clear_of_the_seats) {
+  expect_clear("theatre", 53'832, 0.25f);
+}
+
+TEST(Walk, office_keeps_clear_of_the_furniture) {
+  expect_clear("office", 36'310, 0.25f);
+}
+
+TEST(Walk, conference_keeps_clear_of_the_chairs) {
+  expect_clear("conference", 298'866, 0.25f);
+}
+
 }  // namespace
 }  // namespace raywalk::test
