@@ -151,8 +151,9 @@ void IvInterpreter::face_shape(const IvFields& f, bool indexed, bool strips) {
     if (node.type != "VertexProperty") f.fail("vertexProperty", "a VertexProperty was expected");
     vertex_property(IvFields(f.document(), node));
   }
-  spend_values(indexed ? f.list("coordIndex", 1).size() : state_.coordinates.size() / 3);
-  draw_faces(f, indexed ? indexed_faces(f, state_.coordinates) : counted_faces(f, state_.coordinates), strips);
+  const IvFaces faces = indexed ? indexed_faces(f, state_.coordinates) : counted_faces(f, state_.coordinates);
+  spend_values(faces.corners.size() + f.list(indexed ? "coordIndex" : "numVertices", 1).size());
+  draw_faces(f, faces, strips);
   state_ = saved;
 }
 

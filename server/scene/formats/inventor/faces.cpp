@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <tuple>
 
 namespace raywalk {
 namespace {
@@ -29,15 +30,19 @@ std::vector<dvec3> smooth_normals(const IvFaces& faces, std::span<const double> 
   std::vector<dvec3> face_normals(faces.count());
   for (u32 i = 0; i < faces.count(); ++i) face_normals[i] = area_normal(faces.face(i), coordinates);
 
-  // The faces around each point: first[p] up to first[p + 1].
-  std::vector<u32> first(coordinates.size() / 3 + 1, 0);
-  for (const IvFaces::Corner& corner : faces.corners) ++first[corner.coordinate + 1];
-  for (size_t p = 1; p < first.size(); ++p) first[p] += first[p - 1];
-  std::vector<u32> around(faces.corners.size());
-  std::vector<u32> filled(first.begin(), first.end());
+  // The faces around each point, next to each other.
+  struct Use {
+    u32 coordinate, face;
+    bool operator<(const Use& other) const {
+      return std::tie(coordinate, face) < std::tie(other.coordinate, other.face);
+    }
+  };
+  std::vector<Use> uses;
+  uses.reserve(faces.corners.size());
   for (u32 i = 0; i < faces.count(); ++i) {
-    for (const IvFaces::Corner& corner : faces.face(i)) around[filled[corner.coordinate]++] = i;
+    for (const IvFaces::Corner& corner : faces.face(i)) uses.push_back({corner.coordinate, i});
   }
+  std::sort(uses.begin(), uses.end());
 
   const double least_cosine = std::cos(std::clamp(crease_angle, 0.0, std::numbers::pi));
   std::vector<dvec3> normals;
@@ -46,10 +51,10 @@ std::vector<dvec3> smooth_normals(const IvFaces& faces, std::span<const double> 
     const dvec3 own = face_normals[i];
     for (const IvFaces::Corner& corner : faces.face(i)) {
       dvec3 sum = own;
-      const u32 end = std::min(first[corner.coordinate + 1], first[corner.coordinate] + kMostNeighbours);
-      for (u32 at = first[corner.coordinate]; at < end; ++at) {
-        const dvec3 other = face_normals[around[at]];
-        if (around[at] != i && glm::dot(own, other) >= least_cosine * glm::length(own) * glm::length(other)) {
+      auto use = std::lower_bound(uses.begin(), uses.end(), Use{corner.coordinate, 0});
+      for (u32 n = 0; n < kMostNeighbours && use != uses.end() && use->coordinate == corner.coordinate; ++n, ++use) {
+        const dvec3 other = face_normals[use->face];
+        if (use->face != i && glm::dot(own, other) >= least_cosine * glm::length(own) * glm::length(other)) {
           sum += other;
         }
       }
