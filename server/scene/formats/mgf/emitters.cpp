@@ -40,10 +40,6 @@ double distance_to(const Corners3& t, dvec3 origin, dvec3 direction) {
   return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 ? distance : kMiss;
 }
 
-double luminance(dvec3 rgb) {
-  return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722));
-}
-
 bool touch(const Extent& a, const Extent& b) {
   const double slack = kTouching * std::max(a.diagonal(), b.diagonal());
   for (int axis = 0; axis < 3; ++axis) {
@@ -79,8 +75,9 @@ void MgfEmitters::add(const Emitter& emitter, const Scene& scene) {
     fresh.centre += area * (t.a + t.b + t.c) / 3.0;
     fresh.normal += turn;
   }
-  fresh.power = fresh.area * emitter.emitted * emitter.color;
-  if (!(fresh.area > 0.0) || !std::isfinite(luminance(fresh.power))) return;
+  fresh.power = fresh.area * emitter.emitted;
+  fresh.light = fresh.power * emitter.color;
+  if (!(fresh.area > 0.0) || !std::isfinite(fresh.power)) return;
   for (size_t i = 0; i < groups_.size();) {
     if (groups_[i].object == fresh.object && touch(groups_[i].extent, fresh.extent)) {
       join(fresh, std::move(groups_[i]));
@@ -100,6 +97,7 @@ void MgfEmitters::join(Group& group, Group&& other) {
   group.centre += other.centre;
   group.normal += other.normal;
   group.power += other.power;
+  group.light += other.light;
   group.parts.insert(group.parts.end(), other.parts.begin(), other.parts.end());
 }
 
@@ -169,10 +167,9 @@ void MgfEmitters::finish(SceneBuilder& builder, const std::string& place) {
   for (const Vec3 position : scene.positions) room.add(wide(position));
   // Without attenuation a small lamp would vanish beside a large one: the roots of their powers are nearer each other.
   double sum = 0.0;
-  for (const Group& group : groups_) sum += std::sqrt(luminance(group.power));
+  for (const Group& group : groups_) sum += std::sqrt(group.power);
   for (const Group& group : groups_) {
-    const double power = luminance(group.power);
-    const dvec3 intensity = group.power / power * (kTotalIntensity * std::sqrt(power) / sum);
+    const dvec3 intensity = group.light / group.power * (kTotalIntensity * std::sqrt(group.power) / sum);
     const dvec3 position = position_of(group, scene, room);
     builder.add_light(
         {Vec3{static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)},

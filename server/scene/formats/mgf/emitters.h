@@ -43,7 +43,8 @@ class MgfEmitters {
     double area = 0.0;
     glm::dvec3 centre{0.0};  // times area
     glm::dvec3 normal{0.0};  // times area
-    glm::dvec3 power{0.0};   // linear RGB
+    double power = 0.0;      // lm
+    glm::dvec3 light{0.0};   // linear RGB, of that luminance
     std::vector<Emitter> parts;
   };
   static void join(Group& group, Group&& other);

@@ -14,6 +14,7 @@ constexpr size_t kDeepestNesting = 1000;  // of xf, and of o
 constexpr size_t kDeepestInclude = 64;
 constexpr u64 kMostWork = 500'000'000;  // bytes that arrays and includes read again
 constexpr u64 kWorkOfStatement = 64;    // a statement costs like so many bytes
+constexpr u64 kWorkOfInclude = 10'000;  // and finding its file like so many
 constexpr size_t kAny = 1'000'000;
 
 }  // namespace
@@ -191,6 +192,7 @@ void MgfReader::include(Words arguments) {
   }
   const auto place = place_;
   if (again) ++repeating_;
+  charge(kWorkOfInclude);
   open_frame(arguments.subspan(1), nullptr);
   do {
     run(included);
