@@ -7,8 +7,7 @@ namespace {
 
 void add_drums(Pieces& pieces) {
   add_turned(pieces, {},
-             {{0.002f, 0.0f},
-              {kRadius, 0.0f},
+             {{kRadius, 0.0f},
               {kRadius, 0.012f},
               {kRadius, 0.085f},
               {kRadius - 0.01f, 0.098f},
@@ -38,6 +37,7 @@ void add_drums(Pieces& pieces) {
               {0.30f, 0.712f},
               {0.002f, 0.716f}},
              kBase, kEven);
+  add_disc(pieces, {}, {0.0f, -1.0f, 0.0f}, kRadius, kBase, kEven);
   // Clouds: ridges of a noise that is itself stirred by a noise.
   const auto point = [](float u, float v) {
     const float c = static_cast<float>(cosine_turns(u)), s = static_cast<float>(sine_turns(u));

@@ -78,8 +78,8 @@ void add_flame(Pieces& pieces) {
   };
   const auto shape = [=](float u, float v) {
     constexpr double kStep = 5e-4;
-    const double low = larger(v, 1e-3f), high = smaller(v, 1.0f - 1e-3f);
-    const Vec3 du = point(u + kStep, v) - point(u - kStep, v), dv = point(u, high + kStep) - point(u, low - kStep);
+    const double low = v > kStep ? v - kStep : 0.0, high = v < 1.0 - kStep ? v + kStep : 1.0;
+    const Vec3 du = point(u + kStep, v) - point(u - kStep, v), dv = point(u, high) - point(u, low);
     return SurfacePoint{point(u, v), normalized(cross(du, dv))};
   };
   pieces.patch(shape, 1.2f, kHair, kRelief * 0.02);

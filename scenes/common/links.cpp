@@ -75,8 +75,9 @@ void add_tube(Pieces& pieces, const std::vector<TubePoint>& points, u32 material
     return SurfacePoint{on.point.at + on.point.radius * out, normalized(out - (on.slope.radius / speed) * tangent)};
   };
   // A thin tube needs corners around more than it needs rows along.
-  const float round = 8.0f / (3.0f * static_cast<float>(points.size() - 1));
-  pieces.patch(shape, larger(around / along, round), material, density * around * along);
+  const u64 segments = points.size() - 1;
+  const float round = 8.0f / (3.0f * static_cast<float>(segments));
+  pieces.patch(shape, larger(around / along, round), material, density * around * along, 8 + 4 * segments);
 }
 
 void add_rod(Pieces& pieces, Vec3 from, Vec3 to, float radius, u32 material, double density) {
@@ -95,7 +96,7 @@ void add_ring(Pieces& pieces, Vec3 centre, Vec3 axis, float radius, float thickn
     return SurfacePoint{centre + radius * out + thickness * normal, normal};
   };
   const float around = static_cast<float>(kTau) * thickness, along = static_cast<float>(kTau) * radius;
-  pieces.patch(shape, larger(around / along, 0.3f), material, density * around * along);
+  pieces.patch(shape, larger(around / along, 0.3f), material, density * around * along, 48);
 }
 
 void add_slab(Pieces& pieces, Vec3 centre, Vec3 half_x, Vec3 half_y, Vec3 half_z, u32 material, double density) {
@@ -117,7 +118,7 @@ void add_disc(Pieces& pieces, Vec3 centre, Vec3 axis, float radius, u32 material
                         axis};
   };
   // Turning left seen from outside: around first, inwards second.
-  pieces.patch(shape, 6.0f, material, density * 0.5 * kTau * radius * radius);
+  pieces.patch(shape, 6.0f, material, density * 0.5 * kTau * radius * radius, 8);
 }
 
 }  // namespace raywalk

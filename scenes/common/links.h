@@ -6,6 +6,8 @@
 
 namespace raywalk {
 
+// All are round enough to be seen as what they are, however few triangles there are.
+
 struct TubePoint {
   Vec3 at;
   float radius;

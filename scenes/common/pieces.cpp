@@ -6,12 +6,12 @@
 
 namespace raywalk {
 
-void Pieces::patch(PatchShape shape, float aspect, u32 material, double weight) {
-  pieces_.push_back({std::move(shape), {}, aspect, material, weight});
+void Pieces::patch(PatchShape shape, float aspect, u32 material, double weight, u64 least) {
+  pieces_.push_back({std::move(shape), {}, aspect, material, weight, least});
 }
 
 void Pieces::ball(BallShape shape, u32 material, double weight) {
-  pieces_.push_back({{}, std::move(shape), 1.0f, material, weight});
+  pieces_.push_back({{}, std::move(shape), 1.0f, material, weight, kLeastBallTriangles});
 }
 
 void Pieces::append(const Pieces& other) {
@@ -20,7 +20,7 @@ void Pieces::append(const Pieces& other) {
 
 u64 Pieces::least_triangles() const {
   u64 sum = 0;
-  for (const Piece& piece : pieces_) sum += piece.least();
+  for (const Piece& piece : pieces_) sum += piece.least;
   return sum;
 }
 
@@ -34,7 +34,7 @@ void Pieces::add_to(TriangleSink& sink, u64 triangles) const {
   const double spare = static_cast<double>(triangles - least);
   const auto share = [&](const Piece& piece) {
     const u64 more = static_cast<u64>(spare * (piece.weight / weights));
-    return piece.least() + (piece.patch ? more : more / 2 * 2);
+    return piece.least + (piece.patch ? more : more / 2 * 2);
   };
 
   u64 shared = 0;

@@ -29,7 +29,8 @@ void add_ball(TriangleSink& sink, const BallShape& shape, u32 material, u64 tria
 /// Pieces of a scene that share a number of triangles by their weights.
 class Pieces {
  public:
-  void patch(PatchShape shape, float aspect, u32 material, double weight);
+  /// Has at least `least` triangles, whatever the weights give it.
+  void patch(PatchShape shape, float aspect, u32 material, double weight, u64 least = kLeastPatchTriangles);
   void ball(BallShape shape, u32 material, double weight);
   void append(const Pieces& other);
   /// Fewest triangles that add_to can give.
@@ -45,7 +46,7 @@ class Pieces {
     float aspect;
     u32 material;
     double weight;
-    u64 least() const { return patch ? kLeastPatchTriangles : kLeastBallTriangles; }
+    u64 least;
   };
   std::vector<Piece> pieces_;
 };

@@ -69,8 +69,8 @@ void add_plant(Pieces& pieces, Vec3 at) {
     const auto shape = [=](float u, float v) {
       const float half = 0.9f * reach * v * (1.0f - v) + 0.001f, across = 2.0f * u - 1.0f;
       const float slope = rise * (1.7f - 1.9f * v) / reach;
-      const Vec3 p = {reach * v, rise * v * (1.7f - 0.95f * v) + 0.2f * half * across * across, -half * across};
-      return SurfacePoint{leaf.point(p), leaf.direction(normalized({-slope, 1.0f, 0.4f * across}))};
+      const Vec3 p = {reach * v, rise * v * (1.7f - 0.95f * v) + 0.2f * half * across * across, half * across};
+      return SurfacePoint{leaf.point(p), leaf.direction(normalized({-slope, 1.0f, -0.4f * across}))};
     };
     pieces.patch(shape, 0.4f, kLeaf, 3.0 * kFine * reach * reach);
   }

@@ -40,14 +40,17 @@ void add_walls(Pieces& pieces) {
 }
 
 void add_columns(Pieces& pieces) {
-  const std::vector<ProfilePoint> shaft = {{0.30f, 0.12f},  {0.335f, 0.155f}, {0.30f, 0.19f},  {0.262f, 0.22f},
-                                           {0.262f, 1.30f}, {0.250f, 2.50f},  {0.222f, 3.72f}, {0.222f, 3.76f},
-                                           {0.250f, 3.79f}, {0.222f, 3.82f},  {0.224f, 3.90f}, {0.300f, 4.00f}};
+  // Mouldings and shaft apart, so that each has rows where it curves.
+  const std::vector<ProfilePoint> foot = {{0.30f, 0.12f}, {0.335f, 0.155f}, {0.30f, 0.19f}, {0.262f, 0.22f}};
+  const std::vector<ProfilePoint> shaft = {{0.262f, 0.22f}, {0.262f, 1.30f}, {0.250f, 2.50f}, {0.222f, 3.76f}};
+  const std::vector<ProfilePoint> head = {{0.222f, 3.76f}, {0.250f, 3.79f}, {0.222f, 3.82f}, {0.300f, 4.00f}};
   for (const float x : {-kRowX, kRowX}) {
     for (int i = -2; i <= 2; ++i) {
       const Placement place = Placement::at({x, 0.0f, kBay * static_cast<float>(i)});
       add_box(pieces, place, {-0.36f, 0.0f, -0.36f}, {0.36f, 0.12f, 0.36f}, kMarble, kFlat);
-      add_turned(pieces, place, shaft, kMarble, 1.6 * kCurved);
+      add_turned(pieces, place, foot, kMarble, kFine);
+      add_turned(pieces, place, shaft, kMarble, kCurved);
+      add_turned(pieces, place, head, kMarble, kFine);
       add_box(pieces, place, {-0.33f, 4.00f, -0.33f}, {0.33f, 4.12f, 0.33f}, kMarble, kFlat);
     }
     // What they carry.

@@ -15,6 +15,6 @@ void pour(TriangleSink& sink, u64 triangles) {
 }  // namespace
 
 extern const Generator k_robots_generator;
-const Generator k_robots_generator = {"robots", 40'000, pour};
+const Generator k_robots_generator = {"robots", 50'000, pour};
 
 }  // namespace raywalk
