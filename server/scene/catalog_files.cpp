@@ -123,6 +123,7 @@ ImportSettings settings_of(const OriginalSource& original, const fs::path& data_
   ImportSettings settings;
   settings.root = data_dir / *original.file.begin();
   settings.decode = std::move(decode);
+  settings.cone_slices = original.cone_slices.value_or(settings.cone_slices);
   if (original.sphere) {
     settings.sphere_slices = original.sphere->first;
     settings.sphere_stacks = original.sphere->second;

@@ -126,8 +126,8 @@ void read_look(const JsonNode& node, OriginalSource& source) {
 }
 
 OriginalSource read_original(const JsonNode& node, const Appearance& appearance) {
-  node.allow_only(
-      {"file", "sha256", "triangles", "split_to", "sphere", "fidelity", "change", "credit", "home", "member", "look"});
+  node.allow_only({"file", "sha256", "triangles", "split_to", "sphere", "cone_slices", "fidelity", "change", "credit",
+                   "home", "member", "look"});
   OriginalSource source;
   source.file = node.at("file").text();
   const bool climbs =
@@ -143,6 +143,7 @@ OriginalSource read_original(const JsonNode& node, const Appearance& appearance)
     const std::vector<JsonNode> counts = sphere->items(2);
     source.sphere.emplace(counts[0].count(3, 1000), counts[1].count(2, 1000));
   }
+  if (const auto slices = node.find("cone_slices")) source.cone_slices = slices->count(0, 1000);
   const std::string fidelity = node.at("fidelity").text();
   if (fidelity != "original" && fidelity != "derived") node.at("fidelity").fail("must be 'original' or 'derived'");
   source.fidelity = fidelity == "original" ? Fidelity::kOriginal : Fidelity::kDerived;

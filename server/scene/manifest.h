@@ -40,6 +40,7 @@ struct OriginalSource {
   std::string sha256;                         // of its uncompressed contents
   u64 triangles;                              // that the file has
   std::optional<u64> split_to;                // triangles after splitting
+  std::optional<u32> cone_slices;             // 0 leaves its cones out
   std::optional<std::pair<u32, u32>> sphere;  // slices and stacks of its spheres, where not the format's own
   Fidelity fidelity;                          // kOriginal or kDerived
   std::string change;                         // what differs from the study's scene, in words; empty if nothing does
