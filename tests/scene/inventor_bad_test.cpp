@@ -54,7 +54,7 @@ std::vector<Bad> bad_files() {
       {"open_list", kHead + "Normal {\nvector [ 0 0 1", "line 3: the list of 'vector' is never closed"},
       {"closed", kHead + "Cube { } }", "line 2: a node was expected, not '}'"},
       {"no_brace", kHead + "Cube Cone", "line 2: '{' was expected after 'Cube'"},
-      {"no_field", kHead + "Cube { 7 }", "line 2: a field or node of 'Cube' was expected, not '7'"},
+      {"no_field", kHead + "Cube { ] }", "line 2: a field or node of 'Cube' was expected, not ']'"},
       {"no_value", kHead + "Cube { width }", "line 2: a value of 'width' was expected"},
       {"undefined", kHead + "Cube { }\nUSE nobody", "line 3: USE of 'nobody', which is not defined before"},
       {"of_itself", kHead + "DEF a Separator {\nUSE a }", "line 3: USE of 'a', which is not defined before"},
