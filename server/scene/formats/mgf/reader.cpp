@@ -67,7 +67,7 @@ Scene MgfReader::read() {
   emitters_.finish(builder_, files_.main().string());
   if (!builder_.scene().lights.empty()) {
     // A room: what the lamps do not reach is not dark, and its windows look at the sky.
-    builder_.scene().ambient = {0.25f, 0.25f, 0.25f};
+    builder_.scene().ambient = {0.3f, 0.3f, 0.3f};
     builder_.scene().background = {0.35f, 0.5f, 0.75f};
   }
   return builder_.finish();
