@@ -144,6 +144,18 @@ TEST(MgfLights, each_lamp_is_one_light_before_or_beside_it) {
   EXPECT_GT(scene.ambient.x, 0.0f);
 }
 
+TEST(MgfLights, a_thin_open_box_shines_from_its_wide_side) {
+  // Two faces back to back, a hand below the ceiling, without anything between their edges.
+  const Scene scene = mgf_scene(kMgfSquare +
+                                "m\ned 100\no lamp\nxf -t 0 0 2.700\nf a d c b\nxf\nxf -t 0 0 2.701\nf a b c d\nxf\no\n"
+                                "m\nrd 0.5\nxf -t -0.5 -0.5 0 -s 5\nprism a b c d -0.6\nxf\n");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_NEAR(scene.lights[0].position.x, 0.5f, 1e-5f);
+  EXPECT_NEAR(scene.lights[0].position.y, 0.5f, 1e-5f);
+  EXPECT_LT(scene.lights[0].position.z, 2.7f);
+  EXPECT_GT(scene.lights[0].position.z, 2.65f);
+}
+
 TEST(MgfLights, arrays_of_lamps_share_a_few) {
   const Scene scene = mgf_scene(
       kMgfSquare + "m\ned 100\no lamps\nxf -a 40 -t 3 0 0\nf a b c d\nxf\no\nm\nrd 0.5\nxf -s 200\nf a d c b\nxf\n");

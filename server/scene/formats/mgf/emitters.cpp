@@ -118,37 +118,38 @@ void MgfEmitters::join_nearest() {
   groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(second));
 }
 
-/// Before a flat emitter; beside one that goes round its centre, where the view is longest.
+/// Before a flat emitter; beside one that goes round its centre, where the view is long and the way out short.
 dvec3 MgfEmitters::position_of(const Group& group, const Scene& scene, const Extent& room) {
   const dvec3 centre = group.centre / group.area;
   const double margin = std::max(0.01 * group.extent.diagonal(), 1e-4 * room.diagonal());
-  const auto outside = [&](dvec3 direction) {
-    double farthest = 0.0;
-    for (const Emitter& part : group.parts) {
-      for (size_t i = 0; i < part.triangles; ++i) {
-        const double distance = distance_to(corners_of(scene, part.first_triangle + i), centre, direction);
-        if (std::isfinite(distance)) farthest = std::max(farthest, distance);
-      }
-    }
-    return centre + (farthest + margin) * direction;
-  };
   if (glm::length(group.normal) > 0.1 * group.area) {
     const dvec3 normal = glm::normalize(group.normal);
     const bool away = group.two_sided && glm::dot(normal, room.centre() - centre) < 0.0;
-    return outside(away ? -normal : normal);
+    const dvec3 direction = away ? -normal : normal;
+    double outermost = 0.0;
+    for (const Emitter& part : group.parts) {
+      for (size_t i = 0; i < part.triangles; ++i) {
+        const double distance = distance_to(corners_of(scene, part.first_triangle + i), centre, direction);
+        if (std::isfinite(distance)) outermost = std::max(outermost, distance);
+      }
+    }
+    return centre + (outermost + margin) * direction;
   }
   dvec3 best = centre;
-  double longest = -1.0;
+  double most = -1.0;
   for (int k = 0; k < 6; ++k) {
+    const int axis = k / 2;
+    const bool down = k % 2 == 0;
     dvec3 direction(0.0);
-    direction[k / 2] = k % 2 == 0 ? -1.0 : 1.0;
-    const dvec3 position = outside(direction);
+    direction[axis] = down ? -1.0 : 1.0;
+    const double out = margin + (down ? centre[axis] - group.extent.lo[axis] : group.extent.hi[axis] - centre[axis]);
+    const dvec3 position = centre + out * direction;
     double view = room.diagonal();
     for (size_t i = 0; i < scene.triangles.size(); ++i) {
       view = std::min(view, distance_to(corners_of(scene, i), position, direction));
     }
-    if (view > longest) {
-      longest = view;
+    if (view > most * out) {
+      most = view / out;
       best = position;
     }
   }
