@@ -103,17 +103,14 @@ TEST(MgfBad, circles_of_includes) {
 
 TEST(MgfBad, includes_that_double_and_double) {
   const Folder folder;
-  for (int i = 0; i < 40; ++i) {
-    const std::string next = "i f" + std::to_string(i + 1) + ".mgf\n";
-    folder.write("f" + std::to_string(i) + ".mgf", next + next);
-  }
-  folder.write("f40.mgf", "rd 0.5\n");
-  const std::string error = message_of([&] { load_mesh(folder.path() / "f0.mgf"); });
+  const auto name = [](int i) { return std::to_string(i).append(".mgf"); };
+  const auto include = [&](int i) { return std::string("i ").append(name(i)).append("\n"); };
+  for (int i = 0; i < 40; ++i) folder.write(name(i), include(i + 1) + include(i + 1));
+  folder.write(name(40), "rd 0.5\n");
+  const std::string error = message_of([&] { load_mesh(folder.path() / name(0)); });
   EXPECT_NE(error.find("repeat too much"), std::string::npos) << error;
-  for (int i = 0; i < 70; ++i) {
-    folder.write("d" + std::to_string(i) + ".mgf", "i d" + std::to_string(i + 1) + ".mgf\n");
-  }
-  const std::string deep = message_of([&] { load_mesh(folder.path() / "d0.mgf"); });
+  for (int i = 100; i < 170; ++i) folder.write(name(i), include(i + 1));
+  const std::string deep = message_of([&] { load_mesh(folder.path() / name(100)); });
   EXPECT_NE(deep.find("more than 64 deep"), std::string::npos) << deep;
 }
 
