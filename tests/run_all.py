@@ -126,6 +126,10 @@ def python_tests(marker: str) -> Counts:
         return counts_of(report, 0 if exit_code == none_selected else exit_code)
 
 
+def fuzzers() -> Counts:
+    return check(PYTHON, "tests/fuzz/run.py")
+
+
 Stage = tuple[str, Callable[[], Counts]]
 
 PLAIN: list[Stage] = [
@@ -142,6 +146,8 @@ SLOW: list[Stage] = [
     ("slow Python tests", lambda: python_tests("slow")),
     ("build for the address and undefined behaviour sanitizers", lambda: build("asan")),
     ("C++ tests under the sanitizers", lambda: cpp_tests("asan", "-*Slow*")),
+    ("build of the fuzzers", lambda: build("fuzz")),
+    ("fuzzing of the scene formats, two minutes each", fuzzers),
 ]
 
 
