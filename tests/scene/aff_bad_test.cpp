@@ -128,14 +128,19 @@ TEST(AffIncludes, a_file_outside_through_the_root_is_allowed_inside_it) {
   EXPECT_NE(message_of([&] { load_mesh(file); }).find("outside"), std::string::npos);
 }
 
+/// "f<n>.aff".
+std::string file_name(int number) {
+  return std::string("f").append(std::to_string(number)).append(".aff");
+}
+
 TEST(AffIncludes, doubling_chains_end) {
   const Folder folder;
   constexpr int kFiles = 40;
   for (int i = 0; i < kFiles; ++i) {
-    const std::string next = "i 0 f" + std::to_string(i + 1) + ".aff\n";
-    folder.write("f" + std::to_string(i) + ".aff", next + next);
+    const std::string next = "i 0 " + file_name(i + 1) + "\n";
+    folder.write(file_name(i), next + next);
   }
-  folder.write("f" + std::to_string(kFiles) + ".aff", "l 0 0 0\n");
+  folder.write(file_name(kFiles), "l 0 0 0\n");
   const std::string message = message_of([&] { load_mesh(folder.path() / "f0.aff"); });
   EXPECT_NE(message.find("more than 20000 files are included"), std::string::npos) << message;
 }
@@ -143,7 +148,7 @@ TEST(AffIncludes, doubling_chains_end) {
 TEST(AffIncludes, long_chains_end) {
   const Folder folder;
   for (int i = 0; i < 70; ++i) {
-    folder.write("f" + std::to_string(i) + ".aff", "i 0 f" + std::to_string(i + 1) + ".aff\n");
+    folder.write(file_name(i), "i 0 " + file_name(i + 1) + "\n");
   }
   const std::string message = message_of([&] { load_mesh(folder.path() / "f0.aff"); });
   EXPECT_NE(message.find("more than 64 deep"), std::string::npos) << message;
