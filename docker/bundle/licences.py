@@ -8,7 +8,7 @@ from pathlib import Path
 
 DOCUMENTS = Path("/usr/share/doc")
 # Compiled into the daemon from headers; cpp-httplib and OpenImageIO have files of their own.
-HEADER_PACKAGES = ("libcli11-dev", "libglm-dev", "libvalijson-dev", "nlohmann-json3-dev")
+HEADER_PACKAGES = ("libcli11-dev", "libglm-dev", "libtinygltf-dev", "libvalijson-dev", "nlohmann-json3-dev")
 COMMON = re.compile(r"/usr/share/common-licenses/([A-Za-z0-9.-]*[A-Za-z0-9])")
 
 
