@@ -50,7 +50,7 @@ void fill_primary(typename Packet<N>::RayHits& packet, int* valid, const Camera&
 
 /// Colours of lanes first.. first + 7 as `unshadowed` has them; false when none of them is a hit.
 template <u32 N>
-bool shade(SceneView scene, const typename Packet<N>::RayHits& packet, u32 first, Vec3Batch& colors);
+bool shade(SceneView scene, const typename Packet<N>::RayHits& packet, u32 first, float spread, Vec3Batch& colors);
 
 struct RayCount {
   u64 rays = 0;
@@ -68,10 +68,15 @@ struct Tracer {
   static constexpr u32 kLocal = kBlockRays;
   RTCScene scene;
   CountT count{};
-  Coherence coherence = Coherence::coherent;  // the first query is the block's primary rays
+  bool primary = true;  // the first query is the block's primary rays
 
   void closest(const Ray* rays, const bool* active, Hit* hits) {
     count.add(active, kLocal);
+    // Rays that end somewhere are those of a block to one lamp: as alike as primary rays.
+    bool alike = true;
+    for (u32 i = 0; i < kLocal; ++i) alike &= !active[i] || rays[i].tmax < kMaxFloat;
+    const Coherence coherence = primary || alike ? Coherence::coherent : Coherence::incoherent;
+    primary = false;
     for (u32 first = 0; first < kLocal; first += N) {
       alignas(64) typename Packet<N>::RayHits packet;
       alignas(64) int valid[N];
@@ -84,7 +89,6 @@ struct Tracer {
         hits[first + i] = hit ? hit_of(packet, i) : miss_of(rays[first + i]);
       }
     }
-    coherence = Coherence::incoherent;
   }
   void occluded(const Ray* rays, const bool* active, bool* out) {
     count.add(active, kLocal);
