@@ -305,6 +305,8 @@ def test_the_grid_has_the_papers_cells_where_they_are_cubes() -> None:
         "resolution_y": 20.0,
         "resolution_z": 30.0,
     }
+    lying = grid_options(scene_with("bunny", [3.0, 1.0, 2.0]))
+    assert lying == {"resolution_x": 30.0, "resolution_y": 10.0, "resolution_z": 20.0}
     assert grid_options(scene_with("bunny", [1.0, 1.0, 1.0])) is None
     assert grid_options(scene_with("bunny", [1.0, 2.0, 0.0])) is None
 

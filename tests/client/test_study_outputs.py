@@ -83,7 +83,7 @@ def test_the_page_has_every_scene_and_chart(whole) -> None:
         assert f'alt="{scene.title()}"' in text
         assert f"{scene} (original)" in text
     assert text.count("<svg") == 5  # three kinds of rays, two scenes over resolution
-    for words in ("Figure 1: time against resolution, dragon", "Table 2c", "the paper&#x27;s", "Table 1"):
+    for words in ("Figure 1: dragon, primary and shadow rays", "Table 2c", "the paper&#x27;s", "Table 1"):
         assert words in text or words.replace("&#x27;", "'") in text, words
     assert "prefers-color-scheme:dark" in text and "@media print" in text
 

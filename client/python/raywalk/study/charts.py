@@ -83,7 +83,7 @@ def bar(x: float, percent: float, most: float, technique: str, result: Benchmark
 
 
 def resolution_points(results: Sequence[BenchmarkResult]) -> dict[str, list[tuple[int, int, float, float, float]]]:
-    """By technique: width, height, mean, least and most ms of a frame, by growing size."""
+    """By technique: width, height, median, least and most ms of a frame, by growing size."""
     ordered = sorted(results, key=lambda result: (result.spec.width or 0) * (result.spec.height or 0))
     points: dict[str, list[tuple[int, int, float, float, float]]] = {}
     for result in ordered:
@@ -91,9 +91,9 @@ def resolution_points(results: Sequence[BenchmarkResult]) -> dict[str, list[tupl
             row = row_of(result, (result.spec.modes or ["primary"])[-1], technique)
             if row:
                 seen = row.frame_ms
-                frames = row.frame_times_ms or [seen.mean]
+                frames = row.frame_times_ms or [seen.median]
                 size = (result.spec.width or 0, result.spec.height or 0)
-                points.setdefault(technique, []).append((*size, seen.mean, min(frames), max(frames)))
+                points.setdefault(technique, []).append((*size, seen.median, min(frames), max(frames)))
     return points
 
 
@@ -122,11 +122,11 @@ def line_chart(results: Sequence[BenchmarkResult], title: str, standalone: bool 
         parts.append(svg.line(x, TOP + LINES_HEIGHT, x, TOP + LINES_HEIGHT + 4, "rule"))
     for technique, row in points.items():
         class_ = svg.CLASSES[technique]
-        path = " ".join(f"{x_of(width, height):.1f},{y_of(mean):.1f}" for width, height, mean, *_ in row)
+        path = " ".join(f"{x_of(width, height):.1f},{y_of(median):.1f}" for width, height, median, *_ in row)
         parts.append(svg.element("polyline", points=path, class_=f"line {class_}"))
-        for width, height, mean, low, high in row:
+        for width, height, median, low, high in row:
             x = x_of(width, height)
             parts.append(svg.line(x, y_of(low), x, y_of(high), f"whisker {class_}"))
-            told = svg.tip(f"{NAMES[technique]}, {width}x{height}: {mean:.2f} ms ({low:.2f} to {high:.2f})")
-            parts.append(svg.element("circle", told, cx=x, cy=y_of(mean), r=4, class_=class_))
+            told = svg.tip(f"{NAMES[technique]}, {width}x{height}: {median:.2f} ms ({low:.2f} to {high:.2f})")
+            parts.append(svg.element("circle", told, cx=x, cy=y_of(median), r=4, class_=class_))
     return svg.document(LINES_WIDTH, TOP + LINES_HEIGHT + BOTTOM, "".join(parts), title, standalone)

@@ -63,7 +63,7 @@ def resolution_records(study: Study, scene: str) -> list[Record]:
     return [
         key
         | {"mode": mode, "technique": technique, "width_px": width, "height_px": height}
-        | {"frame_mean_ms": mean, "frame_min_ms": low, "frame_max_ms": high}
+        | {"frame_median_ms": median, "frame_min_ms": low, "frame_max_ms": high}
         for technique, points in resolution_points(results).items()
-        for width, height, mean, low, high in points
+        for width, height, median, low, high in points
     ]

@@ -40,8 +40,9 @@ def joined(parts: Sequence[str]) -> str:
 
 def held(found: Sequence[Finding]) -> str:
     counts = Counter(one.here.verdict for one in found)
+    holds = "holds" if counts["holds"] == 1 else "hold"
     return (
-        f"{counts['holds']} of the paper's {len(found)} conclusions hold on this device, "
+        f"{counts['holds']} of the paper's {len(found)} conclusions {holds} on this device, "
         f"{counts['does not hold']} {'does' if counts['does not hold'] == 1 else 'do'} not, "
         f"{counts['undecided']} {'is' if counts['undecided'] == 1 else 'are'} undecided."
     )

@@ -151,14 +151,16 @@ def resolution_section(study: Study) -> str:
             drawn += tag("div", line_chart(study.resolutions[scene], resolution_title(study, number)), "box")
     if not drawn:
         return ""
-    about = "Time of a frame in ms against its pixels; bars span the measured frames. The paper plots its times and "
+    about = (
+        "Time of a frame (median, ms) against its pixels; bars span the measured frames. The paper plots its times and "
+    )
     return paragraph(about + "gives no numbers for them, so only ours are drawn.", "faint") + tag("div", drawn, "two")
 
 
 def resolution_title(study: Study, number: int) -> str:
     scene = RESOLUTION_FIGURES[number]
     modes = study.resolutions[scene][0].spec.modes or ["primary"]
-    return f"Figure {number}: time against resolution, {scene}, {RAYS[modes[-1]]}"
+    return f"Figure {number}: {scene}, {RAYS[modes[-1]]}"
 
 
 def images_section(study: Study) -> str:

@@ -64,6 +64,7 @@ tr.theirs th{padding-left:24px}
 .dot{display:inline-block;width:11px;height:11px;border-radius:3px;margin-right:7px}
 .box{padding:14px 16px;overflow-x:auto;margin:14px 0}
 .box svg{display:block;width:100%;min-width:620px;height:auto}
+.two .box svg{min-width:440px}
 .two{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,480px),1fr));gap:16px}
 .gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,300px),1fr));gap:16px}
 figure{margin:0;overflow:hidden;break-inside:avoid}
