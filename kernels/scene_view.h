@@ -40,12 +40,14 @@ struct Material {
   Vec3 emission{};      // added whatever the lights do
   float shininess = 1.0f;
   float ior = 1.0f;
-  u32 texture = kNoTexture;  // its colour multiplies ambient and diffuse
+  u32 texture = kNoTexture;  // number of an image; its colour multiplies ambient and diffuse
 };
 
-/// One image among the texels.
+/// One image among the texels. Behind it in the table come its smaller versions, each half as wide and high.
 struct TextureImage {
   u32 width, height;
+  u32 levels;  // this one and the smaller ones behind it
+  u32 pad;
   u64 first_texel;  // of its upper left corner; rows run top down
 };
 

@@ -23,6 +23,11 @@ RW_FN Vec3 primary_direction(const Camera& camera, float x, float y) {
   return normalized(fma(x + 0.5f, camera.across, fma(y + 0.5f, camera.down, camera.corner)));
 }
 
+/// Width of a pixel at distance 1.
+RW_FN float spread_of(const Camera& camera) {
+  return length(camera.down);
+}
+
 /// The ray through pixel (x, y), with an unbounded interval.
 RW_FN Ray primary_ray(const Camera& camera, u32 x, u32 y) {
   return {camera.eye, 0.0f, primary_direction(camera, static_cast<float>(x), static_cast<float>(y)), kMaxFloat};

@@ -30,11 +30,12 @@ RW_FN Vec3 unlit(SceneView scene, u32 material, Vec3 tint) {
   return ambient + m.emission;
 }
 
-/// What a primary ray of unit direction `d` shows: every lamp shines on everything.
+/// What a primary ray of unit direction `d` shows: every lamp shines on everything. `spread` is the width of a pixel at
+/// distance 1.
 template <u32 kFeatures>
-RW_FN Vec3 unshadowed(SceneView scene, const Hit& hit, Vec3 d) {
+RW_FN Vec3 unshadowed(SceneView scene, const Hit& hit, Vec3 d, float spread) {
   if (hit.id == kMiss) return scene.header().background;
-  const Surface s = surface_at<kFeatures>(scene, hit, d);
+  const Surface s = surface_at<kFeatures>(scene, hit, d, spread * hit.t);
   const PhongTerms terms = phong_terms<kFeatures>(scene, s.material, s.tint);
   Vec3 sum = unlit<kFeatures>(scene, s.material, s.tint);
   for (u32 l = 0; l < lights_of<kFeatures>(scene); ++l) {

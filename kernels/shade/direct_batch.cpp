@@ -56,7 +56,7 @@ void light_batch(SceneView scene, const SurfaceBatch& surfaces, const Vec3Batch&
 
 }  // namespace
 
-void unshadowed_batch(SceneView scene, const HitBatch& batch, Vec3Batch& colors) {
+void unshadowed_batch(SceneView scene, const HitBatch& batch, float spread, Vec3Batch& colors) {
   SurfaceBatch surfaces;
   if (scene.header().normals.count != 0) {
     surfaces_of<true>(scene, batch, surfaces);
@@ -77,7 +77,8 @@ void unshadowed_batch(SceneView scene, const HitBatch& batch, Vec3Batch& colors)
   alignas(32) float shininess[kBatch];
   for (u32 i = 0; i < kBatch; ++i) {
     const u32 material = surfaces.material[i];
-    const Vec3 tint = tint_at(scene, scene.triangles()[batch.id[i]], batch.u[i], batch.v[i]);
+    const Vec3 tint = tint_at(scene, scene.corners()[batch.id[i]], scene.triangles()[batch.id[i]], batch.u[i],
+                              batch.v[i], batch.d.get(i), spread * batch.t[i]);
     colors.set(i, unlit<kAllFeatures>(scene, material, tint));
     const PhongTerms terms = phong_terms<kAllFeatures>(scene, material, tint);
     diffuse.set(i, terms.diffuse);

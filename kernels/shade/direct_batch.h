@@ -20,12 +20,13 @@ struct Vec3Batch {
 /// Eight hits, none of them a miss, with the directions of their rays.
 struct HitBatch {
   alignas(32) u32 id[kBatch];
+  alignas(32) float t[kBatch];
   alignas(32) float u[kBatch];
   alignas(32) float v[kBatch];
   Vec3Batch d;
 };
 
-/// colors.get(i) == unshadowed(scene, hit i, d i).
-void unshadowed_batch(SceneView scene, const HitBatch& batch, Vec3Batch& colors);
+/// colors.get(i) == unshadowed(scene, hit i, d i, spread).
+void unshadowed_batch(SceneView scene, const HitBatch& batch, float spread, Vec3Batch& colors);
 
 }  // namespace raywalk

@@ -27,21 +27,26 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
   constexpr u32 kLocal = Tracer::kLocal;
   constexpr bool kSecondary = (kFeatures & (kFeatureReflection | kFeatureRefraction)) != 0;
   constexpr bool kGlass = (kFeatures & kFeatureRefraction) != 0;
+  constexpr bool kTextured = (kFeatures & kFeatureTextures) != 0;
   const bool colored_shadows = kGlass && args.mode == Mode::whitted &&
                                (kCompiledForScene || (scene.header().features & kFeatureRefraction) != 0);
   const u32 lights = lights_of<kFeatures>(scene);
 
   Ray rays[kLocal];
   Vec3 weight[kLocal];
+  float travelled[kLocal];  // from the eye to where each ray starts, then to where it ends
+  const float spread = spread_of(args.camera);
   u32 bounces_left[kLocal];
   bool alive[kLocal];
   PendingRay pending[kSecondary ? kLocal : 1][kSecondary ? kMaxBounces + 1 : 1];
+  float pending_travelled[kSecondary && kTextured ? kLocal : 1][kSecondary && kTextured ? kMaxBounces + 1 : 1];
   u32 waiting[kLocal];
   for (u32 i = 0; i < kLocal; ++i) {
     alive[i] = active[i];
     waiting[i] = 0;
     rays[i] = primary_ray(args.camera, x[i], y[i]);
     weight[i] = {1, 1, 1};
+    travelled[i] = 0.0f;
     bounces_left[i] = args.mode == Mode::whitted ? smaller(args.depth, kMaxBounces) : 0u;
     if (active[i]) color[i] = {0, 0, 0};
   }
@@ -50,7 +55,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
     Hit hits[kLocal]{};
     tracer.closest(rays, alive, hits);
     for (u32 i = 0; i < kLocal; ++i)
-      if (alive[i]) color[i] = unshadowed<kFeatures>(scene, hits[i], rays[i].d);
+      if (alive[i]) color[i] = unshadowed<kFeatures>(scene, hits[i], rays[i].d, spread);
     return;
   }
 
@@ -59,7 +64,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
     tracer.closest(rays, alive, hits);
 
     Surface surfaces[kLocal]{};
-    bool lit[kLocal];
+    bool lit[kLocal]{};
     for (u32 i = 0; i < kLocal; ++i) {
       lit[i] = alive[i] && hits[i].id != kMiss;
       if (!alive[i]) continue;
@@ -67,7 +72,8 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
         color[i] = color[i] + weight[i] * scene.header().background;
         continue;
       }
-      surfaces[i] = surface_at<kFeatures>(scene, hits[i], rays[i].d);
+      if constexpr (kTextured) travelled[i] += hits[i].t;
+      surfaces[i] = surface_at<kFeatures>(scene, hits[i], rays[i].d, spread * travelled[i]);
       color[i] = color[i] + weight[i] * unlit<kFeatures>(scene, surfaces[i].material, surfaces[i].tint);
     }
 
@@ -116,23 +122,24 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
         const Vec3 plane = s.front ? s.geometric_normal : -s.geometric_normal;
         const Vec3 n = dot(rays[i].d, s.normal) < 0.0f ? s.normal : plane;
         Vec3 mirrored = m.reflection;
+        const auto follow = [&](Vec3 d, Vec3 part) {
+          if constexpr (kTextured) pending_travelled[i][waiting[i]] = travelled[i];
+          pending[i][waiting[i]++] = {{spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * part, bounces_left[i] - 1};
+        };
         if (kGlass && largest(m.transmission) > 0.0f) {
           const float eta = s.front ? reciprocal(m.ior) : m.ior;
           Vec3 d;
           bool passes = refracted(rays[i].d, n, eta, d);
           if (passes && dot(d, plane) > 0.0f) passes = refracted(rays[i].d, plane, eta, d);
           if (passes) {
-            pending[i][waiting[i]++] = {
-                {spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * m.transmission, bounces_left[i] - 1};
+            follow(d, m.transmission);
           } else {
             mirrored = mirrored + m.transmission;  // total reflection
           }
         }
         if (largest(mirrored) > 0.0f) {
           const Vec3 mirror = reflected(rays[i].d, n);
-          const Vec3 d = normalized(dot(mirror, plane) > 0.0f ? mirror : reflected(rays[i].d, plane));
-          pending[i][waiting[i]++] = {
-              {spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * mirrored, bounces_left[i] - 1};
+          follow(normalized(dot(mirror, plane) > 0.0f ? mirror : reflected(rays[i].d, plane)), mirrored);
         }
       }
       alive[i] = waiting[i] > 0;
@@ -140,6 +147,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
         const PendingRay& next = pending[i][--waiting[i]];
         rays[i] = next.ray;
         weight[i] = next.weight;
+        if constexpr (kTextured) travelled[i] = pending_travelled[i][waiting[i]];
         bounces_left[i] = next.bounces_left;
       }
     }

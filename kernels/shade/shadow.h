@@ -19,7 +19,7 @@ RW_FN void filter_light(Tracer& tracer, SceneView scene, Vec3 lamp, Ray* rays, b
     for (u32 i = 0; i < kLocal; ++i) {
       wanted[i] = wanted[i] && hits[i].id != kMiss;
       if (!wanted[i]) continue;
-      const Surface s = surface_at<0>(scene, hits[i], rays[i].d);
+      const Surface s = surface_at<0>(scene, hits[i], rays[i].d, 0.0f);
       light[i] = passed < kMaxPanes ? light[i] * scene.materials()[s.material].transmission : Vec3{0, 0, 0};
       const Vec3 origin = spawn_origin(s, rays[i].d);
       const Vec3 rest = lamp - origin;

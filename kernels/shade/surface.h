@@ -52,15 +52,16 @@ RW_FN Vec3 interpolated_normal(SceneView scene, const TriangleIndices& indices, 
   return (1.0f - u - v) * normals[indices.a] + u * normals[indices.b] + v * normals[indices.c];
 }
 
-/// `hit` is a hit of a ray with direction `d`. Vertex normals and textures count where the features have them.
+/// `hit` is a hit of a ray with direction `d`; `width` is the diameter of its pixel's cone there, 0 for the finest
+/// texels. Vertex normals and textures count where the features have them.
 template <u32 kFeatures>
-RW_FN Surface surface_at(SceneView scene, const Hit& hit, Vec3 d) {
+RW_FN Surface surface_at(SceneView scene, const Hit& hit, Vec3 d, float width) {
   const Corners& t = scene.corners()[hit.id];
   const TriangleIndices& indices = scene.triangles()[hit.id];
   Vec3 interpolated{0, 0, 0};
   if constexpr ((kFeatures & kFeatureNormals) != 0) interpolated = interpolated_normal(scene, indices, hit.u, hit.v);
   Surface s = surface_of(t.a, t.b, t.c, hit.u, hit.v, interpolated, d, indices.material);
-  if constexpr ((kFeatures & kFeatureTextures) != 0) s.tint = tint_at(scene, indices, hit.u, hit.v);
+  if constexpr ((kFeatures & kFeatureTextures) != 0) s.tint = tint_at(scene, t, indices, hit.u, hit.v, d, width);
   return s;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "kernels/ray.h"
 #include "kernels/scene_view.h"
+#include "kernels/shade/power.h"
 
 namespace raywalk {
 
@@ -40,15 +41,30 @@ RW_FN Vec3 color_of(SceneView scene, const TextureImage& image, TexCoord at) {
                mixed(decoded(scene, lower[x.first]), decoded(scene, lower[x.second]), x.weight), y.weight);
 }
 
+/// Which of an image's levels has texels about as large as a pixel. `texels` is how many of its finest ones the pixel
+/// sees.
+RW_FN u32 level_of(const TextureImage& image, float texels) {
+  if (!(texels > 1.0f)) return 0;  // NaN too
+  return smaller(static_cast<u32>(fma(0.5f, log2_of(smaller(texels, kMaxFloat)), 0.5f)), image.levels - 1);
+}
+
 /// What multiplies a surface's ambient and diffuse colours: white where the material has no texture, or the scene no
-/// texture coordinates.
-RW_FN Vec3 tint_at(SceneView scene, const TriangleIndices& indices, float u, float v) {
+/// texture coordinates. A ray of unit direction `d` met the triangle at u, v; `width` is the diameter of its pixel's
+/// cone there (Akenine-Moeller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing", 2019; here by
+/// the area that the cone cuts out, with the nearest level).
+RW_FN Vec3 tint_at(SceneView scene, const Corners& t, const TriangleIndices& indices, float u, float v, Vec3 d,
+                   float width) {
   const u32 texture = scene.materials()[indices.material].texture;
   if (texture == kNoTexture || scene.header().texcoords.count == 0) return {1, 1, 1};
   const TexCoord a = scene.texcoords()[indices.a], b = scene.texcoords()[indices.b], c = scene.texcoords()[indices.c];
   const float w = 1.0f - u - v;
   const TexCoord at{w * a.s + u * b.s + v * c.s, w * a.t + u * b.t + v * c.t};
-  return color_of(scene, scene.textures()[texture], at);
+  const TextureImage& image = scene.textures()[texture];
+  const float image_area = magnitude((b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s));
+  const float seen_area = magnitude(dot(d, cross(t.b - t.a, t.c - t.a)));
+  const float size = static_cast<float>(image.width) * static_cast<float>(image.height);
+  const u32 level = level_of(image, divide(image_area * size * (width * width), seen_area));
+  return color_of(scene, scene.textures()[texture + level], at);
 }
 
 }  // namespace raywalk

@@ -31,7 +31,7 @@ void image_of_hits(const FrameJob& job, SceneView scene, std::span<const Hit> hi
       frame.pixels[i] = hit.id == kMiss ? -1.0f : static_cast<float>(hit.id);
     } else {
       const Vec3 d = primary_ray(camera, static_cast<u32>(i % job.width), static_cast<u32>(i / job.width)).d;
-      const Vec3 n = hit.id == kMiss ? Vec3{0, 0, 0} : surface_at<kFeatureNormals>(scene, hit, d).normal;
+      const Vec3 n = hit.id == kMiss ? Vec3{0, 0, 0} : surface_at<kFeatureNormals>(scene, hit, d, 0.0f).normal;
       frame.pixels[3 * i] = n.x;
       frame.pixels[3 * i + 1] = n.y;
       frame.pixels[3 * i + 2] = n.z;

@@ -2,11 +2,11 @@
 #include "server/scene/scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
 #include "kernels/features.h"
+#include "server/scene/mip_levels.h"
 #include "server/system/sha256.h"
 
 namespace raywalk {
@@ -62,25 +62,46 @@ void copy_into(Blob& blob, Slice<T> slice, const std::vector<T>& values) {
   if (!values.empty()) std::memcpy(blob.data() + slice.offset, values.data(), values.size() * sizeof(T));
 }
 
-/// The linear value of an eight-bit sRGB component (IEC 61966-2-1).
-float decoded(u32 component) {
-  const double c = component / 255.0;
-  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-}
+/// Every image with its smaller versions behind it.
+class TextureTable {
+ public:
+  explicit TextureTable(const std::vector<Texture>& textures) {
+    for (const Texture& texture : textures) {
+      first_image_.push_back(images_);
+      const MipCounts smaller = mip_counts(texture.width, texture.height);
+      images_ += 1 + smaller.levels;
+      texels_ += texture.texels.size() + smaller.texels;
+    }
+  }
+  u64 images() const { return images_; }
+  u64 texels() const { return texels_; }
+  /// Number of the image that holds texture `texture` itself.
+  u32 first_image(u32 texture) const { return texture == kNoTexture ? kNoTexture : first_image_[texture]; }
 
-/// Images and texels, one image after the other.
+ private:
+  std::vector<u32> first_image_;
+  u32 images_ = 0;
+  u64 texels_ = 0;
+};
+
 void copy_textures(Blob& blob, const SceneHeader& header, const std::vector<Texture>& textures) {
   const std::span<TextureImage> images = slice_of(blob, header.textures);
   const std::span<u32> texels = slice_of(blob, header.texels);
   const std::span<float> decoding = slice_of(blob, header.decoding);
+  size_t image = 0;
   u64 first = 0;
-  for (size_t i = 0; i < textures.size(); ++i) {
-    images[i] = {textures[i].width, textures[i].height, first};
-    std::copy(textures[i].texels.begin(), textures[i].texels.end(),
-              texels.begin() + static_cast<std::ptrdiff_t>(first));
-    first += textures[i].texels.size();
+  const auto add = [&](const Texture& texture, u32 levels) {
+    images[image++] = {texture.width, texture.height, levels, 0, first};
+    std::copy(texture.texels.begin(), texture.texels.end(), texels.begin() + static_cast<std::ptrdiff_t>(first));
+    first += texture.texels.size();
+  };
+  for (const Texture& texture : textures) {
+    const std::vector<Texture> smaller = mip_levels(texture);
+    u32 levels = static_cast<u32>(1 + smaller.size());
+    add(texture, levels);
+    for (const Texture& level : smaller) add(level, --levels);
   }
-  for (u32 i = 0; i < decoding.size(); ++i) decoding[i] = decoded(i);
+  for (u32 i = 0; i < decoding.size(); ++i) decoding[i] = linear_of_srgb(i);
 }
 
 template <class T>
@@ -147,10 +168,9 @@ Blob pack(const Scene& scene) {
   header.materials = plan.add<Material>(scene.materials.size());
   header.lights = plan.add<Light>(scene.lights.size());
   header.texcoords = plan.add<TexCoord>(scene.texcoords.size());
-  header.textures = plan.add<TextureImage>(scene.textures.size());
-  u64 texels = 0;
-  for (const Texture& t : scene.textures) texels += t.texels.size();
-  header.texels = plan.add<u32>(texels);
+  const TextureTable table(scene.textures);
+  header.textures = plan.add<TextureImage>(table.images());
+  header.texels = plan.add<u32>(table.texels());
   header.decoding = plan.add<float>(scene.textures.empty() ? 0 : 256);
   header.features = features_of(scene);
   header.background = scene.background;
@@ -165,6 +185,7 @@ Blob pack(const Scene& scene) {
   copy_into(blob, header.triangles, scene.triangles);
   copy_into(blob, header.normals, scene.normals);
   copy_into(blob, header.materials, scene.materials);
+  for (Material& m : slice_of(blob, header.materials)) m.texture = table.first_image(m.texture);
   copy_into(blob, header.lights, scene.lights);
   copy_into(blob, header.texcoords, scene.texcoords);
   copy_textures(blob, header, scene.textures);

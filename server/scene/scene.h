@@ -63,7 +63,7 @@ Box bounds_of(const Scene& scene);
 /// Mask of kernels/features.h for exactly this scene.
 u32 features_of(const Scene& scene);
 
-/// The kernel blob (SceneHeader). Allocates the blob and nothing else.
+/// The kernel blob (SceneHeader), textures with their smaller versions. Allocates the blob and little else.
 /// Throws std::invalid_argument if a vertex, material or texture index is out of range, normals or texture coordinates
 /// do not match the vertices, or a texture has not width * height texels.
 Blob pack(const Scene& scene);

@@ -16,6 +16,8 @@
 namespace raywalk {
 namespace {
 
+constexpr float kSpread = 0.1f;  // of a pixel at distance 1
+
 using BruteTracer = SingleTracer<Brute, NoCounter>;
 
 TEST(Power, AgreesWithTheStandardLibrary) {
@@ -126,7 +128,7 @@ int spawn_from(const Corners& t, test::Random& random) {
   Hit hit;
   tracer.closest(&ray, &active, &hit);
   if (hit.id == kMiss) return 0;
-  const Surface s = surface_at<kAllFeatures>(scene, hit, ray.d);
+  const Surface s = surface_at<kAllFeatures>(scene, hit, ray.d, 0.0f);
   int left = 0;
   for (int j = 0; j < 8; ++j) {
     Vec3 d = direction();
@@ -185,7 +187,7 @@ TEST(Spawn, AShellCloseByIsStillMet) {
       Hit hit;
       tracer.closest(&out, &active, &hit);
       ASSERT_LT(hit.id, inner);
-      const Surface s = surface_at<kAllFeatures>(scene, hit, d);
+      const Surface s = surface_at<kAllFeatures>(scene, hit, d, 0.0f);
       const Ray leaving{spawn_origin(s, d), 0.0f, d, kMaxFloat};
       tracer.closest(&leaving, &active, &hit);
       ASSERT_TRUE(hit.id != kMiss && hit.id >= inner) << "ray " << k;
@@ -257,15 +259,16 @@ TEST(DirectBatch, IsTheSameAsOneByOne) {
     const u32 first = triangle(random);
     for (u32 i = 0; i < kBatch; ++i) {
       batch.id[i] = one_material ? first : triangle(random);
+      batch.t[i] = unit(random);
       batch.u[i] = unit(random);
       batch.v[i] = unit(random) * (1.0f - batch.u[i]);
       batch.d.set(i, normalized(Vec3{unit(random) - 0.5f, unit(random) - 0.5f, unit(random) - 0.5f}));
     }
     Vec3Batch colors;
-    unshadowed_batch(scene, batch, colors);
+    unshadowed_batch(scene, batch, kSpread, colors);
     for (u32 i = 0; i < kBatch; ++i) {
-      const Hit hit{1.0f, batch.id[i], batch.u[i], batch.v[i]};
-      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(scene, hit, batch.d.get(i)));
+      const Hit hit{batch.t[i], batch.id[i], batch.u[i], batch.v[i]};
+      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(scene, hit, batch.d.get(i), kSpread));
     }
   }
 }

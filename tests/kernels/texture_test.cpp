@@ -13,6 +13,8 @@
 namespace raywalk {
 namespace {
 
+constexpr float kSpread = 0.1f;  // of a pixel at distance 1
+
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
 constexpr Mode kModes[] = {Mode::primary, Mode::shadow, Mode::whitted};
 
@@ -210,17 +212,56 @@ TEST(DirectBatch, IsTheSameAsOneByOneWithTextures) {
     for (u32 i = 0; i < kBatch; ++i) {
       const u32 first = k % 4 == 3 ? 0 : static_cast<u32>(k % 4) * 32, count = k % 4 == 3 ? 96 : 32;
       batch.id[i] = first + random.below(count);
+      batch.t[i] = 4.0f * random.uniform();
       batch.u[i] = random.uniform();
       batch.v[i] = random.uniform() * (1.0f - batch.u[i]);
       batch.d.set(i, random.direction());
     }
     Vec3Batch colors;
-    unshadowed_batch(view, batch, colors);
+    unshadowed_batch(view, batch, kSpread, colors);
     for (u32 i = 0; i < kBatch; ++i) {
-      const Hit hit{1.0f, batch.id[i], batch.u[i], batch.v[i]};
-      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(view, hit, batch.d.get(i)));
+      const Hit hit{batch.t[i], batch.id[i], batch.u[i], batch.v[i]};
+      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(view, hit, batch.d.get(i), kSpread));
     }
   }
+}
+
+TEST(Texture, FarAwayTheSmallerImagesAreSeen) {
+  // One unit square with an image of 8 x 8 texels, its levels told apart by their colour.
+  test::ShadedScene scene;
+  scene.add(test::quad_grid(1, 2, 0.0f, 0.0f, 1.0f), 0);
+  scene.materials = {{.diffuse = {1, 1, 1}, .texture = 0}};
+  const auto one = [](u32 side, u32 grey, u32 levels) {
+    return test::ShadedScene::Image{side, side, std::vector<u32>(size_t{side} * side, test::texel(grey, grey, grey)),
+                                    levels};
+  };
+  scene.images = {one(8, 0, 4), one(4, 80, 3), one(2, 160, 2), one(1, 240, 1)};
+  const auto& mesh = scene.mesh;
+  for (const Corners& t : mesh)
+    for (const Vec3 p : {t.a, t.b, t.c}) scene.texcoords.push_back({p.x, p.y});
+  const Blob blob = test::pack_of(scene);
+  const SceneView view{blob.data()};
+  const auto level_at = [&](Vec3 d, float width) {
+    const float seen = tint_at(view, view.corners()[0], view.triangles()[0], 0.25f, 0.25f, d, width).x;
+    for (u32 level = 0; level < 4; ++level)
+      if (seen == static_cast<float>(test::srgb_decoded(80 * level))) return static_cast<int>(level);
+    return -1;
+  };
+  const Vec3 normal = normalized(cross(mesh[0].b - mesh[0].a, mesh[0].c - mesh[0].a));
+  const float texel = 0.125f;  // its width
+  EXPECT_EQ(level_at(normal, 0.0f), 0);
+  EXPECT_EQ(level_at(normal, texel), 0);
+  EXPECT_EQ(level_at(-normal, 2 * texel), 1);
+  EXPECT_EQ(level_at(normal, 4 * texel), 2);
+  EXPECT_EQ(level_at(normal, 8 * texel), 3);
+  EXPECT_EQ(level_at(normal, 1e30f), 3);
+  EXPECT_EQ(level_at(normal, std::numeric_limits<float>::quiet_NaN()), 0);
+  // At a slant a pixel covers more: by 1 / cosine.
+  const Vec3 along = normalized(mesh[0].b - mesh[0].a);
+  const Vec3 slant = normalized(normal + 15.97f * along);
+  EXPECT_EQ(level_at(slant, texel), 2);
+  // In the plane of the triangle itself.
+  EXPECT_EQ(level_at(along, texel), 3);
 }
 
 }  // namespace

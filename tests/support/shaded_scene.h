@@ -22,6 +22,7 @@ struct ShadedScene {
   struct Image {
     u32 width, height;
     std::vector<u32> texels;
+    u32 levels = 1;  // with the smaller ones, which are the images behind it
   };
   Mesh mesh;
   std::vector<u32> material_of;     // one a triangle
@@ -89,7 +90,7 @@ inline Blob pack_of(const ShadedScene& scene) {
   u64 first = 0;
   for (size_t i = 0; i < scene.images.size(); ++i) {
     const ShadedScene::Image& image = scene.images[i];
-    slice_of(blob, header.textures)[i] = {image.width, image.height, first};
+    slice_of(blob, header.textures)[i] = {image.width, image.height, image.levels, 0, first};
     std::ranges::copy(image.texels, slice_of(blob, header.texels).begin() + static_cast<std::ptrdiff_t>(first));
     first += image.texels.size();
   }
