@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scenes/common/catmull_rom.h"
 #include "scenes/common/exact_math.h"
 
 namespace raywalk {
@@ -126,11 +127,8 @@ void add_lathe(Pieces& pieces, const Placement& place, const std::vector<Profile
 }
 
 Vec3 curve_at(const std::vector<Vec3>& points, float t) {
-  const size_t segments = points.size() - 1;
-  const auto [i, u] = on_chain(segments, t);
-  const Vec3 b = points[i], c = points[i + 1];
-  const Vec3 a = i > 0 ? points[i - 1] : 2.0f * b - c, d = i + 2 <= segments ? points[i + 2] : 2.0f * c - b;
-  return b + 0.5f * u * (c - a + u * (2.0f * a - 5.0f * b + 4.0f * c - d + u * (3.0f * (b - c) + d - a)));
+  const auto [i, u] = on_chain(points.size() - 1, t);
+  return catmull_rom([&](size_t k) { return points[k]; }, points.size(), i, u);
 }
 
 void add_tube(Pieces& pieces, const Placement& place, const std::vector<Vec3>& points, float radius, Cells cells,

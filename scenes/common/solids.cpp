@@ -3,22 +3,20 @@
 
 #include <algorithm>
 
+#include "scenes/common/catmull_rom.h"
 #include "scenes/common/exact_math.h"
 
 namespace raywalk {
 namespace {
 
-/// Uniform Catmull-Rom through the profile, its ends continued straight; v in [0, 1].
+/// On the smooth curve through the profile, v in [0, 1].
 ProfilePoint on_profile(const std::vector<ProfilePoint>& profile, float v) {
   const size_t segments = profile.size() - 1;
   const float t = v * static_cast<float>(segments);
   const size_t i = std::min(static_cast<size_t>(t), segments - 1);
   const float u = t - static_cast<float>(i);
   const auto blend = [&](auto member) {
-    const float b = profile[i].*member, c = profile[i + 1].*member;
-    const float a = i > 0 ? profile[i - 1].*member : 2.0f * b - c;
-    const float d = i + 2 <= segments ? profile[i + 2].*member : 2.0f * c - b;
-    return b + 0.5f * u * (c - a + u * (2.0f * a - 5.0f * b + 4.0f * c - d + u * (3.0f * (b - c) + d - a)));
+    return catmull_rom([&](size_t k) { return profile[k].*member; }, profile.size(), i, u);
   };
   return {blend(&ProfilePoint::radius), blend(&ProfilePoint::height)};
 }
