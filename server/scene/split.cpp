@@ -53,6 +53,8 @@ class EdgeSplitter {
       const auto found = edges_.find(edge);
       if (found == edges_.end() || found->second.count > 2) continue;
       const EdgeTriangles sides = found->second;
+      // A triangle without area, two of whose corners are at one place, has the edge twice.
+      if (sides.count == 2 && sides.triangle[0] == sides.triangle[1]) continue;
       if (scene_.triangles.size() + sides.count > triangles) continue;
       edges_.erase(found);
       halve(edge, sides);

@@ -91,6 +91,16 @@ TEST(Split, vertices_of_one_place_are_one_corner) {
   EXPECT_EQ(second, 0.5);
 }
 
+TEST(Split, triangles_without_area_stay_as_they_are) {
+  Scene scene;
+  scene.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {9, 0, 0}};
+  scene.triangles = {{0, 1, 2, 0}, {3, 4, 3, 0}};
+  split_edges(scene, 9);
+  EXPECT_EQ(scene.triangles[1].b, 4u);
+  EXPECT_NEAR(area_of(scene), 0.5, 1e-6);
+  for (size_t i = 5; i < scene.positions.size(); ++i) EXPECT_LE(scene.positions[i].x, 1.0f);
+}
+
 TEST(Split, is_the_same_each_time) {
   Scene a = ball(), b = ball();
   split_edges(a, a.triangles.size() + 500);
