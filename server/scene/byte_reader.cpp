@@ -53,6 +53,11 @@ const u8* ByteReader::refill(size_t count) {
   return buffer_.data();
 }
 
+std::span<const u8> ByteReader::peek_some(size_t most) {
+  peek(most);
+  return {buffer_.data() + begin_, std::min(most, end_ - begin_)};
+}
+
 bool ByteReader::skip_far(u64 count) {
   while (count > 0) {
     const size_t step = static_cast<size_t>(std::min<u64>(count, kChunkBytes));

@@ -1,6 +1,7 @@
 // Reads a file, gzip or plain, in chunks and knows where it is: the byte and the line for messages.
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,8 @@ class ByteReader {
   /// Pointer to the next `count` bytes, which stay unread until `skip`; nullptr if the file ends before them.
   /// Valid until the next call. Throws std::runtime_error for damaged gzip data.
   const u8* peek(size_t count) { return end_ - begin_ >= count ? buffer_.data() + begin_ : refill(count); }
+  /// The next bytes, at most `most` (above 0), which stay unread; none at the end of the file.
+  std::span<const u8> peek_some(size_t most);
   /// Marks peeked bytes as read.
   void skip(size_t count) { begin_ += count; }
   /// Skips any number of bytes; false if the file ends before them.

@@ -52,14 +52,9 @@ std::string content_sha256_of(const fs::path& file) {
   ByteReader reader(file);
   Sha256 hash;
   constexpr size_t kStep = 1 << 16;
-  for (size_t step = kStep; step > 0;) {
-    const u8* bytes = reader.peek(step);
-    if (bytes == nullptr) {
-      step /= 2;
-      continue;
-    }
-    hash.add(bytes, step);
-    reader.skip(step);
+  for (std::span<const u8> bytes = reader.peek_some(kStep); !bytes.empty(); bytes = reader.peek_some(kStep)) {
+    hash.add(bytes.data(), bytes.size());
+    reader.skip(bytes.size());
   }
   return hash.hex();
 }

@@ -22,16 +22,9 @@ std::string extension_of(std::filesystem::path path) {
   return extension;
 }
 
-std::span<const u8> head_of(ByteReader& reader) {
-  for (size_t count = kHeadBytes; count > 0; count /= 2) {
-    if (const u8* head = reader.peek(count)) return {head, count};
-  }
-  return {};
-}
-
 const Format& format_of(const std::filesystem::path& path) {
   ByteReader reader(path);
-  const std::span<const u8> head = head_of(reader);
+  const std::span<const u8> head = reader.peek_some(kHeadBytes);
   for (const Format* format : formats()) {
     if (format->begins(head)) return *format;
   }
