@@ -173,6 +173,14 @@ TEST(MgfLights, arrays_of_lamps_share_a_few) {
   EXPECT_EQ(mgf_scene(kMgfSquare + "m\ned 100\nxf -a 2000 -t 3 0 0\nf a b c d\nxf\n").lights.size(), 16u);
 }
 
+TEST(MgfLights, many_lamps_and_lamps_of_many_surfaces_take_little_time) {
+  const std::string lamp = kMgfSquare + "m lamp =\ned 100\n";
+  const Scene one = mgf_scene(lamp + "xf -a 50000 -t 1 0 0\nf a b c\nxf\n");
+  EXPECT_EQ(one.triangles.size(), 50'000u);
+  EXPECT_EQ(one.lights.size(), 1u);
+  EXPECT_EQ(mgf_scene(lamp + "xf -a 20000 -t 7 0 0\nf a b c\nxf\n").lights.size(), 16u);
+}
+
 TEST(MgfLights, without_lamps_there_is_still_light) {
   EXPECT_EQ(mgf_scene(kMgfSquare + "m\nrd 0.5\nf a b c\n").lights.size(), 1u);
   EXPECT_EQ(mgf_scene(kMgfSquare + "m\ned 100\nf a a a\n").lights.size(), 1u) << "a lamp without area";

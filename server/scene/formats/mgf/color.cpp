@@ -45,12 +45,21 @@ dvec3 integral(Power power) {
   return sum;
 }
 
+/// Colours that are nearly without luminance lead to infinity.
+MgfColor checked(const dvec3& xyz) {
+  constexpr double kMost = 1e6;
+  for (const double part : {xyz.x, xyz.y, xyz.z}) {
+    if (!(std::abs(part) <= kMost)) throw std::runtime_error("no colour has so little luminance");
+  }
+  return {xyz};
+}
+
 template <class Power>
 MgfColor color_of(Power power) {
   static const dvec3 flat = integral([](double) { return 1.0; });
   const dvec3 xyz = integral(power) / flat;  // an even spectrum is grey, exactly
   if (!(xyz.y > 0.0) || !std::isfinite(xyz.x + xyz.y + xyz.z)) throw std::runtime_error("a spectrum without light");
-  return {xyz / xyz.y};
+  return checked(xyz / xyz.y);
 }
 
 dmat3 rgb_from_xyz() {
@@ -65,7 +74,7 @@ dmat3 rgb_from_xyz() {
 MgfColor chromaticity(double x, double y) {
   constexpr double kRounding = 1e-3;
   if (x < 0.0 || y <= 0.0 || x + y > 1.0 + kRounding) throw std::runtime_error("no colour has this chromaticity");
-  return {{x / y, 1.0, std::max(1.0 - x - y, 0.0) / y}};
+  return checked({x / y, 1.0, std::max(1.0 - x - y, 0.0) / y});
 }
 
 MgfColor spectrum(double from_nm, double to_nm, std::span<const double> values) {
@@ -98,7 +107,7 @@ MgfColor mixture(std::span<const ColorShare> shares) {
     weights += share.weight;
   }
   if (!(weights > 0.0) || !std::isfinite(weights)) throw std::runtime_error("the weights of a mixture have no sum");
-  return {sum / weights};
+  return checked(sum / weights);
 }
 
 dvec3 linear_rgb(const MgfColor& color) {

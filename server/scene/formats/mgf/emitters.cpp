@@ -98,15 +98,19 @@ void MgfEmitters::join(Group& group, Group&& other) {
   group.normal += other.normal;
   group.power += other.power;
   group.light += other.light;
+  // The few to the many: a lamp of many surfaces grows by one after the other.
+  if (group.parts.size() < other.parts.size()) group.parts.swap(other.parts);
   group.parts.insert(group.parts.end(), other.parts.begin(), other.parts.end());
 }
 
 void MgfEmitters::join_nearest() {
+  std::vector<dvec3> centres;
+  for (const Group& group : groups_) centres.push_back(group.centre / group.area);
   size_t first = 0, second = 1;
   double least = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < groups_.size(); ++i) {
     for (size_t k = i + 1; k < groups_.size(); ++k) {
-      const double distance = glm::distance(groups_[i].centre / groups_[i].area, groups_[k].centre / groups_[k].area);
+      const double distance = glm::distance(centres[i], centres[k]);
       if (distance < least) {
         least = distance;
         first = i;

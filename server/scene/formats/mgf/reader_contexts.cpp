@@ -47,6 +47,7 @@ MgfMaterial::Term MgfReader::term(Words arguments) {
   materials_.current().index = MgfMaterial::kNotAdded;
   const double amount = mgf_number(arguments[0]);
   if (amount < 0.0) throw std::runtime_error("a negative share of the light");
+  if (amount > kMaxFloat) throw std::runtime_error("more light than a float can tell");
   return {amount, colors_.current(), arguments.size() > 1 ? mgf_number(arguments[1]) : 0.0};
 }
 
