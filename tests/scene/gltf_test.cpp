@@ -216,6 +216,10 @@ TEST(Gltf, NumbersThatAreNotFinite) {
   GltfFile far = triangle();
   far.set("nodes", R"([{"mesh": 0, "scale": [1e300, 1, 1]}])");
   EXPECT_EQ(refusal(far), "scene.gltf: meshes/0/primitives/0: vertex 1 is moved beyond all numbers by its node");
+  GltfFile bright = triangle();
+  bright.set("extensions", R"({"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 1e300}]}})");
+  bright.set("nodes", R"([{"extensions": {"KHR_lights_punctual": {"light": 0}}}])");
+  EXPECT_EQ(refusal(bright), "scene.gltf: nodes/0: the light's intensity or position is not finite, or negative");
 }
 
 TEST(Gltf, NodesThatAreNoTree) {

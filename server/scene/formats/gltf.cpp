@@ -190,9 +190,12 @@ class GltfReader {
       if (!normals.empty()) {
         const glm::dvec3 normal = turn * vec_at(normals, i);
         const double length = glm::length(normal);
-        if (length > 0.0) corner.normal = vec(normal / length);
+        if (length > 0.0 && std::isfinite(length)) corner.normal = vec(normal / length);
       }
       if (!texcoords.empty()) corner.texcoord = material.transform({texcoords[2 * i], texcoords[2 * i + 1]});
+      if (!std::isfinite(corner.texcoord.s) || !std::isfinite(corner.texcoord.t)) {
+        document_.fail(part, "texture coordinate " + std::to_string(i) + " is moved beyond all numbers");
+      }
       const u32 index = builder_.add_vertex(corner);
       if (i == 0) first = index;
     }

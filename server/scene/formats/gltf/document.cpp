@@ -10,10 +10,10 @@
 namespace raywalk::gltf {
 namespace {
 
-/// The images are decoded when a material needs them.
+/// The images are decoded when a material needs them; those in a buffer stay there.
 bool keep_bytes(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
                 void*) {
-  image->image.assign(bytes, bytes + size);
+  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
   return true;
 }
 
@@ -74,6 +74,13 @@ std::string one_line(std::string text) {
 
 void Document::fail(const std::string& part, const std::string& what) const {
   throw std::runtime_error(at(part) + ": " + what);
+}
+
+std::span<const u8> Document::bytes_of(const tinygltf::Image& image) const {
+  if (image.bufferView < 0) return image.image;
+  // Checked before the file was read.
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(image.bufferView)];
+  return std::span(model.buffers[static_cast<size_t>(view.buffer)].data).subspan(view.byteOffset, view.byteLength);
 }
 
 Document open_document(ImportFiles& files) {

@@ -1,5 +1,7 @@
 // A glTF file with its buffers and the bytes of its images, checked as far as tinygltf relies on it.
 #pragma once
+#include <span>
+
 #include "server/scene/formats/gltf/tinygltf.h"
 #include "server/scene/import_files.h"
 
@@ -21,9 +23,11 @@ struct Document {
     }
     return elements[static_cast<size_t>(index)];
   }
+  /// What an image holds; nothing if it has a URI that has not been followed.
+  std::span<const u8> bytes_of(const tinygltf::Image& image) const;
 };
 
-/// Reads .gltf or .glb. An image's bytes are in Image::image, or it has a URI that has not been followed.
+/// Reads .gltf or .glb.
 /// Throws std::runtime_error with the file and the reason, among them required extensions that are not known and files
 /// outside the root.
 Document open_document(ImportFiles& files);

@@ -14,11 +14,11 @@ Vec3 vec(glm::dvec3 v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// A direction of the node in the world, of unit length; zero if the transform flattens it.
+/// A direction of the node in the world, of unit length; zero if the transform flattens it, or leads to infinity.
 glm::dvec3 turned(const glm::dmat4& world, glm::dvec3 direction) {
   const glm::dvec3 d = world * glm::dvec4(direction, 0.0);
   const double length = glm::length(d);
-  return length > 0.0 ? d / length : glm::dvec3(0.0);
+  return length > 0.0 && std::isfinite(length) ? d / length : glm::dvec3(0.0);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void Lamps::add_light(const tinygltf::Light& light, const glm::dmat4& world, con
                   light.type == "directional",
                   light.intensity,
                   {component(0), component(1), component(2)}};
-  if (!std::isfinite(lamp.intensity) || lamp.intensity < 0.0 || !is_finite(vec(lamp.position))) {
+  if (!(lamp.intensity >= 0.0 && lamp.intensity <= kMaxFloat) || !is_finite(vec(lamp.position))) {
     document_.fail(part, "the light's intensity or position is not finite, or negative");
   }
   if (light.type == "spot") builder_.warn(document_.at(part), "a spot light shines in all directions here");

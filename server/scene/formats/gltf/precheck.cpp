@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "kernels/platform.h"
@@ -16,6 +17,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr size_t kMostJsonBytes = 256u << 20;  // the parsed document is up to ten times as large
+constexpr u64 kMostBufferBytes = 1ull << 40;   // so that no sum overflows
 constexpr int kDeepest = 64;
 constexpr size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
 constexpr u32 kJsonChunk = 0x4e4f534a;
@@ -78,11 +80,14 @@ u64 number_of(const Json& object, const char* name, u64 otherwise, const std::st
   return found->get<u64>();
 }
 
-/// tinygltf takes an image's bytes out of the buffer without looking.
+/// tinygltf takes an image's bytes out of the buffer without looking. Images that overlap without being the same could
+/// ask for any number of decodings.
 void check_images(const Json& document, const std::string& file) {
   const Json& views = array_of(document, "bufferViews");
   const Json& buffers = array_of(document, "buffers");
   constexpr u64 kNone = ~u64{0};
+  std::set<u64> views_of_images, buffers_of_images;
+  u64 image_bytes = 0, buffer_bytes = 0;
   size_t number = 0;
   for (const Json& image : array_of(document, "images")) {
     const std::string place = file + ": images/" + std::to_string(number++);
@@ -99,7 +104,10 @@ void check_images(const Json& document, const std::string& file) {
     if (length == 0 || length > most || length > size || offset > size - length) {
       throw std::runtime_error(place + ": bufferView " + std::to_string(index) + " lies outside its buffer");
     }
+    if (views_of_images.insert(index).second) image_bytes += length;
+    if (buffers_of_images.insert(buffer).second) buffer_bytes += std::min(size, kMostBufferBytes);
   }
+  if (image_bytes > buffer_bytes) throw std::runtime_error(file + ": images overlap each other in the buffers");
 }
 
 }  // namespace
