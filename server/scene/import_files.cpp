@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "server/scene/byte_reader.h"
+#include "server/scene/text.h"
 
 namespace raywalk {
 
@@ -22,15 +23,20 @@ std::optional<fs::path> ImportFiles::find(std::string_view name, const fs::path&
   // A name with a zero byte would be cut short by the system.
   if (slashed.empty() || slashed.find('\0') != slashed.npos) return std::nullopt;
   std::error_code error;
-  const fs::path file = folder / slashed;
+  // What is checked is what is read: through links "a/.." need not be where it stands.
+  const fs::path file = (folder / slashed).lexically_normal();
   const fs::path real = fs::weakly_canonical(file, error);
   if (error) return std::nullopt;
-  const auto [end_of_root, unused] = std::mismatch(root_.begin(), root_.end(), real.begin(), real.end());
-  if (fs::path(slashed).is_absolute() || end_of_root != root_.end()) {
-    throw std::runtime_error("'" + slashed + "' lies outside the scene's folder");
+  const auto is_outside = [&](const fs::path& path) {
+    return std::mismatch(root_.begin(), root_.end(), path.begin(), path.end()).first != root_.end();
+  };
+  const bool absolute = fs::path(slashed).is_absolute();
+  if (!absolute && is_outside(fs::weakly_canonical(folder.lexically_normal(), error))) return std::nullopt;
+  if (absolute || is_outside(real)) {
+    throw std::runtime_error(in_quotes(slashed) + " lies outside the scene's folder");
   }
   if (!fs::is_regular_file(real, error)) return std::nullopt;
-  return file.lexically_normal();
+  return file;
 }
 
 std::string ImportFiles::read(const fs::path& file) {
@@ -38,19 +44,14 @@ std::string ImportFiles::read(const fs::path& file) {
   std::string bytes;
   bytes.reserve(std::min(reader.likely_bytes_left(), bytes_left_));
   constexpr size_t kStep = 1 << 16;
-  for (size_t step = kStep; step > 0;) {
-    const u8* next = reader.peek(step);
-    if (next == nullptr) {
-      step /= 2;
-      continue;
-    }
-    if (step > bytes_left_) {
+  for (std::span<const u8> next = reader.peek_some(kStep); !next.empty(); next = reader.peek_some(kStep)) {
+    if (next.size() > bytes_left_) {
       throw std::runtime_error(file.string() + ": the scene's files hold more than " +
                                std::to_string(settings_.limits.bytes) + " bytes");
     }
-    bytes_left_ -= step;
-    bytes.append(reinterpret_cast<const char*>(next), step);
-    reader.skip(step);
+    bytes_left_ -= next.size();
+    bytes.append(reinterpret_cast<const char*>(next.data()), next.size());
+    reader.skip(next.size());
   }
   return bytes;
 }

@@ -37,7 +37,8 @@ class ImportFiles {
   const ImportLimits& limits() const { return settings_.limits; }
   const ImportSettings& settings() const { return settings_; }
 
-  /// The file `name` as a scene file in `folder` means it (slashes either way); nothing if there is none.
+  /// The file `name` as a scene file in `folder` means it (slashes either way); nothing if there is none, or
+  /// the folder itself lies outside the root.
   /// Throws std::runtime_error if the name is absolute, or leads out of the root, through a link too.
   std::optional<std::filesystem::path> find(std::string_view name, const std::filesystem::path& folder) const;
   /// All bytes of a file, gzip or plain. Throws std::runtime_error naming it if it cannot be read or the limit of bytes

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "server/scene/text.h"
 #include "server/scene/triangulate.h"
 
 namespace raywalk {
@@ -41,7 +42,7 @@ u32 SceneBuilder::add_texture(std::string_view name, std::initializer_list<std::
       const std::string bytes = files_.read(*file);
       return add_texture(key, std::span(reinterpret_cast<const u8*>(bytes.data()), bytes.size()), place);
     }
-    warn(place, "there is no texture '" + std::string(name) + "': a magenta checker takes its place");
+    warn(place, "there is no texture " + in_quotes(name) + ": a magenta checker takes its place");
   } catch (const std::runtime_error& e) {
     warn(place, std::string(e.what()) + ": a magenta checker takes its place");
   }
@@ -96,6 +97,13 @@ void SceneBuilder::add_triangle(TriangleIndices triangle) {
   scene_.triangles.push_back(triangle);
 }
 
+void SceneBuilder::check_corners(size_t count) {
+  if (count > kMostCorners) {
+    throw std::runtime_error("a polygon of " + std::to_string(count) + " corners; the most is " +
+                             std::to_string(kMostCorners));
+  }
+}
+
 void SceneBuilder::add_polygon(std::span<const MeshCorner> corners, u32 material) {
   corners_.clear();
   for (const MeshCorner& corner : corners) corners_.push_back(add_vertex(corner));
@@ -107,10 +115,7 @@ void SceneBuilder::add_polygon(std::span<const u32> vertices, u32 material) {
     ++not_faces_;
     return;
   }
-  if (vertices.size() > kMostCorners) {
-    throw std::runtime_error("a polygon of " + std::to_string(vertices.size()) + " corners; the most is " +
-                             std::to_string(kMostCorners));
-  }
+  check_corners(vertices.size());
   if (vertices.size() == 3) return add_triangle({vertices[0], vertices[1], vertices[2], material});
   const std::vector<u32> cut = triangulate(vertices, scene_.positions);
   for (size_t i = 0; i < cut.size(); i += 3) add_triangle({cut[i], cut[i + 1], cut[i + 2], material});

@@ -37,6 +37,8 @@ class SceneBuilder {
   u32 add_vertex(const MeshCorner& corner);
   /// Throws std::runtime_error when there are more than the limit of triangles.
   void add_triangle(TriangleIndices triangle);
+  /// Throws std::runtime_error if no polygon may have so many: for readers that know before they have read them.
+  static void check_corners(size_t count);
   /// Cut into n - 2 triangles; one with fewer than three corners is counted and left out.
   void add_polygon(std::span<const MeshCorner> corners, u32 material);
   /// The same of vertices that are already there.

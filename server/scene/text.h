@@ -1,6 +1,7 @@
 // Words and numbers out of text, whatever the locale says.
 #pragma once
 #include <charconv>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -27,6 +28,9 @@ class TokenReader {
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
   std::string_view rest_;
 };
+
+/// A word of a file as a message shows it: in quotes, without control characters, and cut if it is long.
+std::string in_quotes(std::string_view word);
 
 /// The whole token as a number; false if it is none, or does not fit an integer type. Floats beyond the range become
 /// infinite or zero, and "nan" and "inf" are numbers.

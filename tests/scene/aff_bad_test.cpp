@@ -56,6 +56,10 @@ std::vector<Bad> bad_files() {
       {"keys_open", "k a {\n transl 4\n" + times(4, key), {"the file ends inside keyframes"}},
       {"visibility_value", "k a { visibility 1 0 2 }\n", {"line 1", "0 or 1"}},
       {"visibility_back", "k a { visibility 2 0 1 -1 0 }\n", {"line 1", "go back"}},
+      {"moved_far", times(3, "xs 1e30 1 1 0 0 1 0 0 0 0 {") + "\nl 1 1 1", {"line 2", "beyond all floats"}},
+      {"moved_far_by_keys",
+       "k a { scale 4" + times(4, " 0 1e30 1 1 0 0 0") + " }\nx a { x a {\np 3 0 0 0 1 0 0 0 1 0 } }\n",
+       {"line 2", "beyond all floats"}},
       {"tpa_none", "tpa 0\n", {"line 1", "without keys"}},
       {"tpa_count", "tpa 500 0 0 0\n", {"line 1", "cannot fit"}},
       {"tpa_back", "tpa 2\n0" + times(18, " 0") + "\n-1" + times(18, " 0"), {"line 3", "go back"}},
@@ -126,6 +130,26 @@ TEST(AffIncludes, a_file_outside_through_the_root_is_allowed_inside_it) {
   const auto file = folder.write("aff/a.aff", "i 0 ../parts/b.aff\n");
   EXPECT_EQ(load_mesh(file, aff_settings(folder.path())).triangles.size(), 1u);
   EXPECT_NE(message_of([&] { load_mesh(file); }).find("outside"), std::string::npos);
+}
+
+TEST(AffIncludes, a_link_does_not_lead_out_of_the_root) {
+  const Folder folder;
+  folder.write("outside.aff", "p 3 0 0 0 1 0 0 0 1 0\n");
+  folder.write("root/deep/er/x.aff", "");
+  std::filesystem::create_directory_symlink(folder.path() / "root/deep/er", folder.path() / "root/link");
+  std::filesystem::create_symlink(folder.path() / "outside.aff", folder.path() / "root/b.aff");
+  for (const char* name : {"link/../../outside.aff", "b.aff"}) {
+    const auto file = folder.write("root/a.aff", std::string("i 0 ") + name + "\n");
+    EXPECT_NE(message_of([&] { load_mesh(file); }).find("lies outside"), std::string::npos) << name;
+  }
+}
+
+TEST(AffIncludes, a_missing_texture_is_told_as_missing) {
+  const Folder folder;
+  const Scene scene = load_mesh(folder.write("a.aff", "tt no.ppm 0 0 0 0 0 1 0 0 1 0 0 1 0 0 1\n"), aff_settings());
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("a.aff, line 1: there is no texture 'no.ppm'"), std::string::npos)
+      << scene.warnings[0];
 }
 
 /// "f<n>.aff".

@@ -159,6 +159,31 @@ TEST(GltfMaterial, ImagesThatLieOutsideTheBuffer) {
   }
 }
 
+TEST(GltfMaterial, ImagesThatShareBytes) {
+  GltfFile file = with_material(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+    "metallicRoughnessTexture": {"index": 1}}}, {"pbrMetallicRoughness": {"baseColorTexture": {"index": 1}}})");
+  const std::string view = std::to_string(file.add_view(std::string(1000, '\x03')));
+  const std::string image = R"({"mimeType": "image/png", "bufferView": )" + view + "}";
+  file.set("images", "[" + image + ", " + image + "]");
+  file.set("textures", R"([{"source": 0}, {"source": 1}])");
+  int decoded = 0;
+  const auto decode = [&](std::span<const u8> bytes) {
+    ++decoded;
+    return first_bytes(bytes);
+  };
+  const Folder folder;
+  const Scene scene = load_mesh(file.write_glb(folder), {.decode = decode});
+  EXPECT_EQ(scene.textures.size(), 1u);
+  EXPECT_EQ(decoded, 2);  // once for the texture, once for the mean
+
+  // Views that overlap could ask for decodings without end.
+  const std::string overlapping = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "data:,", "byteLength": 100}],
+    "bufferViews": [{"buffer": 0, "byteLength": 60}, {"buffer": 0, "byteLength": 59}],
+    "images": [{"bufferView": 0, "mimeType": "image/png"}, {"bufferView": 1, "mimeType": "image/png"}]})";
+  const std::string message = message_of([&] { load_mesh(folder.write("scene.gltf", overlapping)); });
+  EXPECT_NE(message.find("images overlap each other"), std::string::npos) << message;
+}
+
 TEST(GltfMaterial, MeansOfTexturesThatAreNotModelled) {
   GltfFile file = with_material(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0},
     "pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 1}}})");

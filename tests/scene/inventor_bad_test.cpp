@@ -99,6 +99,7 @@ std::vector<Bad> bad_files() {
       {"itself", kHead + "File { name \"bad.iv\" }", "line 2: File.name: 'bad.iv' includes itself"},
       {"cycle", kHead + "File { name \"other.iv\" }", "other.iv, line 3: File.name: 'bad.iv' includes itself"},
       {"no_inventor", kHead + "File { name \"text.iv\" }", "text.iv, line 1: the first line is neither"},
+      {"many_fields", kHead + "Cube {\n" + repeated("width 1\n", 65) + "}", "line 67: 'Cube' has more than 64 fields"},
       {"braces", kHead + repeated("Group {\n", 100'000), "line 202: nodes are nested more than 200 deep"},
       {"fields", kHead + repeated("FaceSet { vertexProperty\n", 100'000), "nodes are nested more than 200 deep"},
       {"exponential", doubling(60, "Info { }"), "USE makes more than two million nodes of the file's"},

@@ -151,6 +151,19 @@ TEST(Obj, what_is_missing_is_told) {
   EXPECT_EQ(scene.warnings.size(), 8u);
 }
 
+TEST(Obj, images_lie_beside_the_library_that_names_them) {
+  const Folder folder;
+  folder.write("one/a.mtl", "newmtl a\nmap_Kd a.png\n");
+  folder.write("one/a.png", "x");
+  folder.write("two/b.mtl", "newmtl b\nKd 1 1 1\n");
+  const auto file =
+      folder.write("a.obj", "mtllib one/a.mtl\nmtllib two/b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  const Scene scene = load_mesh(file, {.decode = [](std::span<const u8>) { return Texture{"", 1, 1, {0}}; }});
+  ASSERT_EQ(scene.textures.size(), 1u);
+  EXPECT_EQ(scene.textures[0].texels.size(), 1u);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
 struct Bad {
   const char* name;
   std::string content;
@@ -182,11 +195,11 @@ std::vector<Bad> bad_files() {
       {"comma", "v 0,5 0 0\n", "line 1: '0,5' is not a number"},
       {"short", "v 0 \\\n\n0\n", "line 1: a number is missing"},
       {"corners", kThree + many, "line 4: a polygon of 1001 corners; the most is 1000"},
-      {"mtl_nan", "\nmtllib nan.mtl\n", "nan.mtl, line 2: Kd: 'nan' is not a finite number"},
-      {"mtl_first", "mtllib first.mtl\n", "first.mtl, line 1: Kd: there is no newmtl before it"},
-      {"mtl_short", "mtllib short.mtl\n", "short.mtl, line 2: Ns: a number is missing"},
-      {"mtl_spectral", "mtllib spectral.mtl\n", "spectral.mtl, line 2: Kd: colours as 'spectral' are not supported"},
-      {"mtl_image", "mtllib image.mtl\n", "image.mtl, line 2: map_Kd: the name of the image is missing"},
+      {"mtl_nan", "\nmtllib nan.mtl\n", "nan.mtl, line 2: 'Kd': 'nan' is not a finite number"},
+      {"mtl_first", "mtllib first.mtl\n", "first.mtl, line 1: 'Kd': there is no newmtl before it"},
+      {"mtl_short", "mtllib short.mtl\n", "short.mtl, line 2: 'Ns': a number is missing"},
+      {"mtl_spectral", "mtllib spectral.mtl\n", "spectral.mtl, line 2: 'Kd': colours as 'spectral' are not supported"},
+      {"mtl_image", "mtllib image.mtl\n", "image.mtl, line 2: 'map_Kd': the name of the image is missing"},
   };
 }
 

@@ -56,7 +56,7 @@ class ObjReader {
       libraries(rest_of(line, word));
     } else if (std::find(kNoSurface.begin(), kNoSurface.end(), word) == kNoSurface.end() &&
                unknown_.emplace(word).second) {
-      builder_.warn(place(), "unknown statement '" + shown(word) + "'");
+      builder_.warn(place(), "unknown statement " + in_quotes(word));
     }
   }
 
@@ -74,7 +74,7 @@ class ObjReader {
     if (library(names)) return;
     TokenReader words(names);
     for (std::string_view name = words.next(); !name.empty(); name = words.next()) {
-      if (!library(name)) builder_.warn(place(), "there is no material library '" + shown(name) + "'");
+      if (!library(name)) builder_.warn(place(), "there is no material library " + in_quotes(name));
     }
   }
   bool library(std::string_view name) {

@@ -30,7 +30,9 @@ Placement::Placement(const glm::dmat4& matrix) : matrix_(matrix), identity_(matr
 }
 
 Vec3 Placement::point(const glm::dvec3& p) const {
-  return narrow(identity_ ? p : glm::dvec3(matrix_ * glm::dvec4(p, 1.0)));
+  const Vec3 placed = narrow(identity_ ? p : glm::dvec3(matrix_ * glm::dvec4(p, 1.0)));
+  if (!is_finite(placed)) throw std::runtime_error("a coordinate beyond all floats");
+  return placed;
 }
 
 Vec3 Placement::normal(const glm::dvec3& n) const {
@@ -90,6 +92,14 @@ void Geometry::add_light(const glm::dvec3& position, Vec3 intensity) {
   builder_.add_light({placement_.point(position), intensity});
 }
 
+Vec3 Geometry::Node::point(Vec3 p) const {
+  try {
+    return placement.point(widen(p));
+  } catch (const std::runtime_error& e) {
+    throw Error(place + ": " + e.what());
+  }
+}
+
 void Geometry::settle(const KeyframesOfName& keyframes, double time) {
   settle_nodes(keyframes, time);
   settle_triangles();
@@ -107,7 +117,7 @@ void Geometry::settle_nodes(const KeyframesOfName& keyframes, double time) {
       matrix = matrix * found->second.placement_at(time);
       node.visible = node.visible && found->second.visible_at(time);
     } else if (unmoved.insert(node.name).second) {
-      builder_.warn(node.place, "there are no keyframes (k) of " + shown(node.name) + ": it stays where it is");
+      builder_.warn(node.place, "there are no keyframes (k) of " + in_quotes(node.name) + ": it stays where it is");
     }
     node.placement = Placement(matrix);
   }
@@ -121,7 +131,7 @@ void Geometry::settle_triangles() {
     const Node& node = nodes_[runs_[r].node];
     const Run& next = runs_[r + 1];
     for (size_t i = runs_[r].first_vertex; i < next.first_vertex && runs_[r].node != 0; ++i) {
-      scene.positions[i] = node.placement.point(widen(scene.positions[i]));
+      scene.positions[i] = node.point(scene.positions[i]);
       scene.normals[i] = node.placement.normal(widen(scene.normals[i]));
     }
     for (size_t i = runs_[r].first_triangle; i < next.first_triangle && node.visible; ++i) {
@@ -136,7 +146,7 @@ void Geometry::settle_lights() {
   size_t kept = 0;
   for (size_t i = 0; i < lights.size(); ++i) {
     const Node& node = nodes_[node_of_light_[i]];
-    if (node.visible) lights[kept++] = {node.placement.point(widen(lights[i].position)), lights[i].intensity};
+    if (node.visible) lights[kept++] = {node.point(lights[i].position), lights[i].intensity};
   }
   lights.resize(kept);
 }

@@ -27,6 +27,7 @@ class Placement {
   explicit Placement(const glm::dmat4& matrix);
 
   const glm::dmat4& matrix() const { return matrix_; }
+  /// Throws std::runtime_error if it is beyond all floats.
   Vec3 point(const glm::dvec3& p) const;
   /// Unit length; zero stays zero.
   Vec3 normal(const glm::dvec3& n) const;
@@ -67,6 +68,9 @@ class Geometry {
     std::string name, place;
     Placement placement{};  // to the world, once settled
     bool visible = true;
+
+    /// Throws Error if it is beyond all floats there.
+    Vec3 point(Vec3 p) const;
   };
   /// Vertices and triangles from these on belong to a node.
   struct Run {

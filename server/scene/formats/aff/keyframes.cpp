@@ -101,7 +101,7 @@ Keyframes read_keyframes(Text& text) {
     } else if (part.empty()) {
       text.fail("the file ends inside keyframes");
     } else {
-      text.fail(shown(part) + " is none of transl, rot, scale and visibility");
+      text.fail(in_quotes(part) + " is none of transl, rot, scale and visibility");
     }
   }
   return keyframes;

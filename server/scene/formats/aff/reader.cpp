@@ -91,7 +91,7 @@ void Reader::read_statements(Text& text) {
       (this->*statement->read)(text);
       understood_ = true;
     } else {
-      builder_.warn(text.place(), "unknown statement " + shown(word) + " is skipped");
+      builder_.warn(text.place(), "unknown statement " + in_quotes(word) + " is skipped");
       text.skip_statement();
     }
   }
@@ -108,9 +108,9 @@ void Reader::read_include(Text& text) {
   const std::string_view name = text.name("a file");
   if (level > detail_) return;
   const std::optional<std::filesystem::path> file = files_.find(name, text.file().parent_path());
-  if (!file) text.fail("there is no file " + shown(name));
+  if (!file) text.fail("there is no file " + in_quotes(name));
   if (std::find(including_.begin(), including_.end(), *file) != including_.end()) {
-    text.fail(shown(name) + " includes itself");
+    text.fail(in_quotes(name) + " includes itself");
   }
   if (including_.size() == kMostFilesDeep) {
     text.fail("files include each other more than " + std::to_string(kMostFilesDeep) + " deep");
@@ -143,8 +143,8 @@ void Reader::read_keyframes(Text& text) {
   const std::string place = text.place();
   Keyframes keyframes = aff::read_keyframes(text);
   if (keyframes.left_out > 0) {
-    builder_.warn(
-        place, std::to_string(keyframes.left_out) + " keys of " + shown(name) + " are left out: their times go back");
+    builder_.warn(place, std::to_string(keyframes.left_out) + " keys of " + in_quotes(name) +
+                             " are left out: their times go back");
   }
   keyframes_.insert_or_assign(name, std::move(keyframes));
 }

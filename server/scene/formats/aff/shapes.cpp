@@ -8,11 +8,6 @@
 #include "server/scene/tessellate.h"
 
 namespace raywalk::aff {
-namespace {
-
-constexpr size_t kMostCorners = 1000;  // of a polygon: cutting ears is quadratic
-
-}  // namespace
 
 void Shapes::add_triangle(const Corner (&corners)[3], u32 material) {
   const u32 a = geometry_.add_vertex(corners[0]), b = geometry_.add_vertex(corners[1]);
@@ -60,9 +55,7 @@ void Shapes::read_cone(Text& text) {
 
 void Shapes::read_polygon(Text& text, bool normals) {
   const size_t count = text.count("corners", normals ? 6 : 3);
-  if (count > kMostCorners) {
-    text.fail("a polygon of " + std::to_string(count) + " corners; the most is " + std::to_string(kMostCorners));
-  }
+  SceneBuilder::check_corners(count);
   corners_.resize(count);
   for (Corner& corner : corners_) {
     corner = {text.point("corner")};

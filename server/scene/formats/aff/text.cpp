@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "server/scene/scene_builder.h"
-#include "server/scene/text.h"
 
 namespace raywalk::aff {
 namespace {
@@ -20,13 +19,6 @@ bool begins_number(char c) {
 }
 
 }  // namespace
-
-std::string shown(std::string_view word) {
-  constexpr size_t kMost = 40;
-  std::string text = "'";
-  for (const char c : word.substr(0, kMost)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (word.size() > kMost ? "...'" : "'");
-}
 
 std::string Text::place() const {
   return at_line(file_, place_line_);
@@ -79,7 +71,7 @@ std::string_view Text::name(const char* what) {
 void Text::expect(std::string_view wanted) {
   const std::string_view found = word();
   if (found == wanted) return;
-  fail(shown(wanted) + " should be here, not " + (found.empty() ? "the end of the file" : shown(found)));
+  fail(in_quotes(wanted) + " should be here, not " + (found.empty() ? "the end of the file" : in_quotes(found)));
 }
 
 bool Text::next_is_number() {
@@ -101,8 +93,8 @@ bool Text::plain_real(double& value) {
 double Text::other_real(const char* what) {
   const std::string_view word = name(what);
   float value = 0.0f;
-  if (!parse_number(word, value)) fail(shown(word) + " is not a number (" + what + ")");
-  if (!std::isfinite(value)) fail(shown(word) + " is not finite (" + what + ")");
+  if (!parse_number(word, value)) fail(in_quotes(word) + " is not a number (" + what + ")");
+  if (!std::isfinite(value)) fail(in_quotes(word) + " is not finite (" + what + ")");
   return value;
 }
 
@@ -119,7 +111,7 @@ Vec3 Text::color(const char* what) {
 long long Text::integer(const char* what) {
   const std::string_view word = name(what);
   long long value = 0;
-  if (!parse_number(word, value)) fail(shown(word) + " is not an integer (" + what + ")");
+  if (!parse_number(word, value)) fail(in_quotes(word) + " is not an integer (" + what + ")");
   return value;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "kernels/vec.h"
+#include "server/scene/text.h"
 
 namespace raywalk::aff {
 
@@ -60,8 +61,5 @@ class Text {
   std::string_view rest_;
   u64 line_ = 1, place_line_ = 1;
 };
-
-/// A word of a file as it may stand in a message: printable and short, in quotes.
-std::string shown(std::string_view word);
 
 }  // namespace raywalk::aff

@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "server/scene/mip_levels.h"
+#include "server/scene/text.h"
+
 namespace raywalk::gltf {
 namespace {
 
@@ -155,24 +158,33 @@ const tinygltf::Image& Materials::image_of(int texture, const std::string& part)
   return document_.element(document_.model.images, source, "image", "textures/" + std::to_string(texture));
 }
 
+/// Images that share their bytes share the name too.
+std::string Materials::name_of(const tinygltf::Image& image) const {
+  if (image.bufferView >= 0) return "bufferViews/" + std::to_string(image.bufferView);
+  if (image.image.empty()) return percent_decoded(image.uri);
+  return "images/" + std::to_string(&image - document_.model.images.data());
+}
+
 u32 Materials::texture(int index, const std::string& part) {
   const tinygltf::Image& image = image_of(index, part);
-  const std::string name = "images/" + std::to_string(&image - document_.model.images.data());
-  if (!image.image.empty()) return builder_.add_texture(name, image.image, document_.at(part));
-  return builder_.add_texture(percent_decoded(image.uri), {files_.main().parent_path()}, document_.at(part));
+  const std::span<const u8> bytes = document_.bytes_of(image);
+  if (!bytes.empty()) return builder_.add_texture(name_of(image), bytes, document_.at(part));
+  return builder_.add_texture(name_of(image), {files_.main().parent_path()}, document_.at(part));
 }
 
 std::optional<Materials::Mean> Materials::mean_of(int texture, const std::string& part) {
   if (texture < 0) return std::nullopt;
-  if (const auto known = means_.find(texture); known != means_.end()) return known->second;
   const tinygltf::Image& image = image_of(texture, part);
+  const std::span<const u8> bytes_inside = document_.bytes_of(image);
+  const std::string name = name_of(image);
+  if (const auto known = means_.find(name); known != means_.end()) return known->second;
   try {
     Texture decoded;
-    if (!image.image.empty()) {
-      decoded = files_.decode(image.image);
+    if (!bytes_inside.empty()) {
+      decoded = files_.decode(bytes_inside);
     } else {
-      const auto file = files_.find(percent_decoded(image.uri), files_.main().parent_path());
-      if (!file) throw std::runtime_error("there is no texture '" + image.uri + "'");
+      const auto file = files_.find(name, files_.main().parent_path());
+      if (!file) throw std::runtime_error("there is no texture " + in_quotes(name));
       const std::string bytes = files_.read(*file);
       decoded = files_.decode({reinterpret_cast<const u8*>(bytes.data()), bytes.size()});
     }
@@ -183,19 +195,18 @@ std::optional<Materials::Mean> Materials::mean_of(int texture, const std::string
     std::array<double, 3> raw{}, linear{};
     for (u32 c = 0; c < 3; ++c) {
       for (u32 byte = 0; byte < 256; ++byte) {
-        const double value = byte / 255.0;
         const double share = static_cast<double>(histograms[c][byte]) / static_cast<double>(decoded.texels.size());
-        raw[c] += share * value;
-        linear[c] += share * (value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+        raw[c] += share * byte / 255.0;
+        linear[c] += share * linear_of_srgb(byte);
       }
     }
     const auto vec = [](const std::array<double, 3>& v) {
       return Vec3{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
     };
-    return means_[texture] = Mean{vec(raw), vec(linear)};
+    return means_[name] = Mean{vec(raw), vec(linear)};
   } catch (const std::runtime_error& e) {
     builder_.warn(document_.at(part), std::string(e.what()) + ": the texture's mean is unknown and left out");
-    return means_[texture] = std::nullopt;
+    return means_[name] = std::nullopt;
   }
 }
 

@@ -35,6 +35,7 @@ class Materials {
   UsedMaterial convert(const tinygltf::Material& source, const std::string& part);
   u32 texture(int index, const std::string& part);
   const tinygltf::Image& image_of(int texture, const std::string& part) const;
+  std::string name_of(const tinygltf::Image& image) const;
   /// Mean bytes of an image, in [0, 1], and of what they mean as sRGB.
   struct Mean {
     Vec3 raw{}, linear{};
@@ -45,7 +46,7 @@ class Materials {
   ImportFiles& files_;
   SceneBuilder& builder_;
   std::map<int, UsedMaterial> used_;
-  std::map<int, std::optional<Mean>> means_;
+  std::map<std::string, std::optional<Mean>> means_;  // by the names of images
 };
 
 }  // namespace raywalk::gltf

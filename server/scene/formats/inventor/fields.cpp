@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "server/scene/scene_builder.h"
+#include "server/scene/text.h"
 
 namespace raywalk {
 
@@ -43,7 +44,7 @@ void IvFields::fail(std::string_view name, const std::string& what) const {
 std::span<const double> IvFields::list(std::string_view name, u32 group) const {
   const IvField* field = find(name);
   if (field == nullptr) return {};
-  if (!field->words.empty()) fail(name, "'" + std::string(field->words[0].substr(0, 60)) + "' is not a number");
+  if (!field->words.empty()) fail(name, in_quotes(field->words[0]) + " is not a number");
   if (field->numbers.size() % group != 0) {
     fail(name, std::to_string(field->numbers.size()) + " numbers are not a multiple of " + std::to_string(group));
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/scene/text.h"
+
 namespace raywalk {
 namespace {
 
@@ -103,7 +105,7 @@ void IvInterpreter::visit(const IvDocument& document, u32 index) {
     if (const Visit known = visit_of(node.type)) {
       (this->*known)(f);
     } else {
-      warn_once(f, "nodes of type '" + std::string(node.type.substr(0, 60)) + "' are skipped");
+      warn_once(f, "nodes of type " + in_quotes(node.type) + " are skipped");
     }
     --depth_;
   } catch (const PlacedError&) {
@@ -172,9 +174,9 @@ void IvInterpreter::include(const IvFields& f) {
   const std::string name = f.string("name");
   if (name.empty()) return warn_once(f, "a File node without a name is skipped");
   const auto path = files_.find(name, f.document().file.parent_path());
-  if (!path) f.fail("name", "there is no file '" + name + "'");
+  if (!path) f.fail("name", "there is no file " + in_quotes(name));
   if (std::find(open_files_.begin(), open_files_.end(), *path) != open_files_.end()) {
-    f.fail("name", "'" + name + "' includes itself");
+    f.fail("name", in_quotes(name) + " includes itself");
   }
   file(*path);
 }

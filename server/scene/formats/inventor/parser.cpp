@@ -12,13 +12,10 @@ namespace raywalk {
 namespace {
 
 constexpr u32 kMostNested = 200;
+constexpr size_t kMostFields = 64;  // of a node: no known one has more than twenty, and they are searched at each USE
 // Of numbers and words in one document; a node or a field counts as kNodeCost of them. About 2 GiB.
 constexpr u64 kMostValues = 200'000'000;
 constexpr u64 kNodeCost = 16;
-
-std::string shown(std::string_view word) {
-  return std::string(word.substr(0, 60));
-}
 
 class IvParser {
  public:
@@ -27,7 +24,7 @@ class IvParser {
   void parse() {
     while (lexer_.peek().kind != IvTokenKind::kEnd) {
       const IvToken& token = lexer_.peek();
-      if (token.kind != IvTokenKind::kWord) fail(token, "a node was expected, not '" + shown(token.text) + "'");
+      if (token.kind != IvTokenKind::kWord) fail(token, "a node was expected, not " + in_quotes(token.text));
       document_.roots.push_back(node(lexer_.take(), 0));
     }
   }
@@ -51,7 +48,7 @@ class IvParser {
     if (first.text == "USE") {
       const IvToken name = word("a name");
       const auto defined = defined_.find(name.text);
-      if (defined == defined_.end()) fail(name, "USE of '" + shown(name.text) + "', which is not defined before");
+      if (defined == defined_.end()) fail(name, "USE of " + in_quotes(name.text) + ", which is not defined before");
       return defined->second;
     }
     if (first.text != "DEF") return body(first, {}, depth);
@@ -64,7 +61,7 @@ class IvParser {
   u32 body(const IvToken& type, std::string_view name, u32 depth) {
     if (depth == kMostNested) fail(type, "nodes are nested more than " + std::to_string(kMostNested) + " deep");
     const IvToken brace = lexer_.take();
-    if (!brace.is('{')) fail(brace, "'{' was expected after '" + shown(type.text) + "'");
+    if (!brace.is('{')) fail(brace, "'{' was expected after " + in_quotes(type.text));
     spend(kNodeCost);
     IvNode made{type.text, name, type.line, {}, {}};
     if (is_known_inventor_node(type.text)) {
@@ -81,7 +78,7 @@ class IvParser {
   void skip_body(const IvToken& type) {
     for (u64 open = 1; open > 0;) {
       const IvToken token = lexer_.take();
-      if (token.kind == IvTokenKind::kEnd) fail(type, "the '{' of '" + shown(type.text) + "' is never closed");
+      if (token.kind == IvTokenKind::kEnd) fail(type, "the '{' of " + in_quotes(type.text) + " is never closed");
       if (token.is('{')) ++open;
       if (token.is('}')) --open;
       if (!token.is_word("DEF") || lexer_.peek().kind != IvTokenKind::kWord) continue;
@@ -94,17 +91,20 @@ class IvParser {
   void member(IvNode& parent, u32 depth) {
     const IvToken first = lexer_.take();
     if (first.kind == IvTokenKind::kEnd) {
-      throw std::runtime_error(at_line(document_.file, parent.line) + ": the '{' of '" + shown(parent.type) +
-                               "' is never closed");
+      throw std::runtime_error(at_line(document_.file, parent.line) + ": the '{' of " + in_quotes(parent.type) +
+                               " is never closed");
     }
     if (first.kind != IvTokenKind::kWord) {
-      fail(first, "a field or node of '" + shown(parent.type) + "' was expected, not '" + shown(first.text) + "'");
+      fail(first, "a field or node of " + in_quotes(parent.type) + " was expected, not " + in_quotes(first.text));
     }
     if (first.text == "DEF" || first.text == "USE" || lexer_.peek().is('{')) {
       const u32 child = node(first, depth + 1);
       spend(1);
       parent.children.push_back(child);
     } else {
+      if (parent.fields.size() == kMostFields) {
+        fail(first, in_quotes(parent.type) + " has more than " + std::to_string(kMostFields) + " fields");
+      }
       spend(kNodeCost);
       IvField field{first.text, first.line, false, kNoNode, {}, {}};
       value(field, depth);
@@ -129,7 +129,7 @@ class IvParser {
         field.node = node(first, depth + 1);
       }
     } else if (!first.is('~') && !first.is('=')) {
-      fail(first, "a value of '" + shown(field.name) + "' was expected");
+      fail(first, "a value of " + in_quotes(field.name) + " was expected");
     }
     if (lexer_.peek().is('~')) {
       lexer_.take();
@@ -142,14 +142,14 @@ class IvParser {
     const IvToken opening = lexer_.take();
     while (!lexer_.peek().is(closing)) {
       const IvToken token = lexer_.take();
-      if (token.kind == IvTokenKind::kEnd) fail(opening, "the list of '" + shown(field.name) + "' is never closed");
+      if (token.kind == IvTokenKind::kEnd) fail(opening, "the list of " + in_quotes(field.name) + " is never closed");
       if (token.kind == IvTokenKind::kWord) {
         scalar(field, token);
       } else if (token.kind == IvTokenKind::kString) {
         spend(2);
         field.words.push_back(token.text);
       } else if (!token.is('|')) {
-        fail(token, "'" + shown(token.text) + "' in the list of '" + shown(field.name) + "'");
+        fail(token, in_quotes(token.text) + " in the list of " + in_quotes(field.name));
       }
     }
     lexer_.take();
@@ -192,7 +192,7 @@ class IvParser {
     if (result.ec == std::errc::result_out_of_range && text.find("e-") + 1 + text.find("E-") + 1 > 0) {
       number = 0.0;
     } else if (result.ec != std::errc() || !(std::abs(number) <= 3.4e38)) {
-      fail(token, "'" + shown(token.text) + "' is not a finite number");
+      fail(token, in_quotes(token.text) + " is not a finite number");
     }
     return true;
   }

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "server/scene/formats/inventor/interpreter.h"
+#include "server/scene/text.h"
 
 namespace raywalk {
 namespace {
@@ -20,7 +21,7 @@ std::optional<IvBinding> binding_of(const IvFields& f, std::string_view field) {
   for (const auto& [name, binding] : kBindings) {
     if (name == word) return binding;
   }
-  if (!word.empty() && word != "DEFAULT") f.fail(field, "unknown binding '" + std::string(word.substr(0, 60)) + "'");
+  if (!word.empty() && word != "DEFAULT") f.fail(field, "unknown binding " + in_quotes(word));
   return std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "server/scene/formats/mgf/numbers.h"
+#include "server/scene/text.h"
 
 namespace raywalk {
 
@@ -22,7 +22,7 @@ class MgfContexts {
   T& named(std::string_view name) {
     const auto found = named_.find(name);
     if (found == named_.end()) {
-      throw std::runtime_error(std::string(what_) + " " + quoted(name) + " is not defined");
+      throw std::runtime_error(std::string(what_) + " " + in_quotes(name) + " is not defined");
     }
     return found->second;
   }

@@ -8,24 +8,17 @@
 
 namespace raywalk {
 
-std::string quoted(std::string_view word) {
-  constexpr size_t kMost = 80;
-  std::string text(1, '\'');
-  text.append(word.substr(0, kMost)).append(word.size() > kMost ? "..." : "").append(1, '\'');
-  return text;
-}
-
 double mgf_number(std::string_view word) {
   double value = 0.0;
-  if (!parse_number(word, value)) throw std::runtime_error(quoted(word) + " is not a number");
-  if (!std::isfinite(value)) throw std::runtime_error(quoted(word) + " is not finite");
+  if (!parse_number(word, value)) throw std::runtime_error(in_quotes(word) + " is not a number");
+  if (!std::isfinite(value)) throw std::runtime_error(in_quotes(word) + " is not finite");
   return value;
 }
 
 u64 mgf_count(std::string_view word, u64 least) {
   u64 value = 0;
   if (!parse_number(word, value) || value < least) {
-    throw std::runtime_error(quoted(word) + " is not a whole number of at least " + std::to_string(least));
+    throw std::runtime_error(in_quotes(word) + " is not a whole number of at least " + std::to_string(least));
   }
   return value;
 }

@@ -1,14 +1,11 @@
-// Arguments of MGF's statements as numbers, and in messages.
+// Arguments of MGF's statements as numbers.
 #pragma once
-#include <string>
 #include <string_view>
 
 #include "kernels/platform.h"
 
 namespace raywalk {
 
-/// In quotation marks, and not too long for a message.
-std::string quoted(std::string_view word);
 /// Throws std::runtime_error if the word is no finite number.
 double mgf_number(std::string_view word);
 /// Throws std::runtime_error if the word is no whole number of at least `least`.

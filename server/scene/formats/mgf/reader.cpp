@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "server/scene/formats/mgf/numbers.h"
+#include "server/scene/text.h"
 
 namespace raywalk {
 namespace {
@@ -111,7 +112,7 @@ void MgfReader::execute(Words words) {
   const std::span<const Entity> known = entities();
   const auto entity = std::ranges::lower_bound(known, words[0], {}, &Entity::name);
   if (entity == known.end() || entity->name != words[0]) {
-    return warn(quoted(words[0]) + " is no statement of MGF");
+    return warn(in_quotes(words[0]) + " is no statement of MGF");
   }
   const Words arguments = words.subspan(1);
   if (arguments.size() < entity->least || arguments.size() > entity->most) {
@@ -119,7 +120,7 @@ void MgfReader::execute(Words words) {
     if (entity->most == kAny) takes.append(" or more");
     if (entity->most != kAny && entity->most != entity->least)
       takes.append(" to ").append(std::to_string(entity->most));
-    throw std::runtime_error(quoted(entity->name) + " takes " + takes + " arguments, not " +
+    throw std::runtime_error(in_quotes(entity->name) + " takes " + takes + " arguments, not " +
                              std::to_string(arguments.size()));
   }
   (this->*entity->run)(arguments);
@@ -181,11 +182,11 @@ void MgfReader::transform(Words arguments) {
 
 void MgfReader::include(Words arguments) {
   const std::optional<std::filesystem::path> found = files_.find(arguments[0], open_files_.back()->path.parent_path());
-  if (!found) throw std::runtime_error("there is no file " + quoted(arguments[0]) + " to include");
+  if (!found) throw std::runtime_error("there is no file " + in_quotes(arguments[0]) + " to include");
   const bool again = sources_.contains(*found);
   const Source& included = source(*found);
   if (std::ranges::find(open_files_, &included) != open_files_.end()) {
-    throw std::runtime_error(quoted(arguments[0]) + " includes itself");
+    throw std::runtime_error(in_quotes(arguments[0]) + " includes itself");
   }
   if (open_files_.size() == kDeepestInclude) {
     throw std::runtime_error("files are included more than " + std::to_string(kDeepestInclude) + " deep");
@@ -214,7 +215,7 @@ void MgfReader::object(Words arguments) {
 }
 
 void MgfReader::skip(Words arguments) {
-  warn("the luminaire " + quoted(arguments[0]) + " is left out");
+  warn("the luminaire " + in_quotes(arguments[0]) + " is left out");
 }
 
 }  // namespace raywalk

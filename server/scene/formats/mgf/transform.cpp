@@ -8,6 +8,7 @@
 #include <string>
 
 #include "server/scene/formats/mgf/numbers.h"
+#include "server/scene/text.h"
 
 namespace raywalk {
 namespace {
@@ -61,9 +62,9 @@ MgfTransform::MgfTransform(std::span<const std::string_view> arguments) {
     const std::string_view option = arguments[at++];
     const bool array = option == "-a", repeat = option == "-i";
     const int count = array || repeat ? 1 : numbers_after(option);
-    if (count < 0) throw std::runtime_error(quoted(option) + " is no transformation");
+    if (count < 0) throw std::runtime_error(in_quotes(option) + " is no transformation");
     if (arguments.size() - at < static_cast<size_t>(count)) {
-      throw std::runtime_error(quoted(option) + " takes " + std::to_string(count) + " numbers");
+      throw std::runtime_error(in_quotes(option) + " takes " + std::to_string(count) + " numbers");
     }
     if (array) {
       parts_.push_back({.repeats = 0, .members = mgf_count(arguments[at], 1)});

@@ -31,17 +31,12 @@ bool ObjLines::next(std::string_view& line) {
   return true;
 }
 
-std::string shown(std::string_view word) {
-  constexpr size_t kMost = 60;
-  return word.size() <= kMost ? std::string(word) : std::string(word.substr(0, kMost)) + "...";
-}
-
 float finite_number(TokenReader& words) {
   const std::string_view word = words.next();
   if (word.empty()) throw std::runtime_error("a number is missing");
   float value = 0.0f;
-  if (!parse_number(word, value)) throw std::runtime_error("'" + shown(word) + "' is not a number");
-  if (!std::isfinite(value)) throw std::runtime_error("'" + shown(word) + "' is not a finite number");
+  if (!parse_number(word, value)) throw std::runtime_error(in_quotes(word) + " is not a number");
+  if (!std::isfinite(value)) throw std::runtime_error(in_quotes(word) + " is not a finite number");
   return value;
 }
 

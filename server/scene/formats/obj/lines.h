@@ -26,9 +26,6 @@ class ObjLines {
   u64 number_ = 0, lines_read_ = 0;
 };
 
-/// A word of a file as a message shows it: cut if it is long.
-std::string shown(std::string_view word);
-
 /// The next word as a finite number. Throws std::runtime_error if it is none.
 float finite_number(TokenReader& words);
 /// The next three.

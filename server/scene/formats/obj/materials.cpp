@@ -85,7 +85,7 @@ void MtlLibrary::read(const std::filesystem::path& file) {
     try {
       statement(word, rest, at_line(file, lines.number()));
     } catch (const std::runtime_error& e) {
-      throw std::runtime_error(at_line(file, lines.number()) + ": " + shown(word) + ": " + e.what());
+      throw std::runtime_error(at_line(file, lines.number()) + ": " + in_quotes(word) + ": " + e.what());
     }
   }
 }
@@ -93,6 +93,7 @@ void MtlLibrary::read(const std::filesystem::path& file) {
 void MtlLibrary::statement(std::string_view word, std::string_view rest, const std::string& place) {
   if (word == "newmtl") {
     current_ = &(materials_[std::string(rest)] = {});
+    current_->folder = folder_;
     return;
   }
   if (current_ == nullptr) throw std::runtime_error("there is no newmtl before it");
@@ -119,7 +120,7 @@ void MtlLibrary::statement(std::string_view word, std::string_view rest, const s
     read_texture(rest, place);
   } else if (std::find(kNotModelled.begin(), kNotModelled.end(), word) == kNotModelled.end() &&
              unknown_.emplace(word).second) {
-    builder_.warn(place, "unknown statement '" + shown(word) + "'");
+    builder_.warn(place, "unknown statement " + in_quotes(word));
   }
 }
 
@@ -132,7 +133,7 @@ void MtlLibrary::read_texture(std::string_view rest, const std::string& place) {
     while (numeric && is_number(value)) value = words.next();
     if (!numeric) value = words.next();
     rest = value.empty() ? std::string_view() : rest.substr(static_cast<size_t>(value.data() - rest.data()));
-    builder_.warn(place, "option '" + shown(option) + "' of the texture is ignored");
+    builder_.warn(place, "option " + in_quotes(option) + " of the texture is ignored");
   }
   if (rest.empty()) throw std::runtime_error("the name of the image is missing");
   current_->texture = rest;
@@ -142,13 +143,13 @@ void MtlLibrary::read_texture(std::string_view rest, const std::string& place) {
 u32 MtlLibrary::use(std::string_view name, const std::string& place) {
   const auto found = materials_.find(name);
   if (found == materials_.end()) {
-    if (undefined_.emplace(name).second) builder_.warn(place, "material '" + shown(name) + "' is not defined");
+    if (undefined_.emplace(name).second) builder_.warn(place, "material " + in_quotes(name) + " is not defined");
     return default_index();
   }
   MtlMaterial& mtl = found->second;
   if (!mtl.scene_material) {
     Material material = whitted_material(mtl);
-    if (!mtl.texture.empty()) material.texture = builder_.add_texture(mtl.texture, {folder_}, mtl.texture_place);
+    if (!mtl.texture.empty()) material.texture = builder_.add_texture(mtl.texture, {mtl.folder}, mtl.texture_place);
     mtl.scene_material = builder_.add_material(material);
   }
   return *mtl.scene_material;

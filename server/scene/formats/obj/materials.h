@@ -21,6 +21,7 @@ struct MtlMaterial {
   int illumination = -1;              // illum; -1 if the file has none
   std::string texture;                // map_Kd; empty for none
   std::string texture_place;          // its file and line
+  std::filesystem::path folder;       // of the file that has the material
   std::optional<u32> scene_material;  // once a face has used it
 };
 
@@ -48,7 +49,7 @@ class MtlLibrary {
   std::set<std::string, std::less<>> undefined_, unknown_;  // what there was a warning about
   std::set<std::filesystem::path> files_read_;
   MtlMaterial* current_ = nullptr;
-  std::filesystem::path folder_;
+  std::filesystem::path folder_;  // of the file that is being read
   std::optional<u32> default_index_;
 };
 

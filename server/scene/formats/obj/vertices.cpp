@@ -13,11 +13,11 @@ constexpr u32 kLongestSearch = 16;  // vertices at one position; beyond it they 
 /// From 0. Positive indices count from 1, negative ones back from the end.
 u32 resolved(std::string_view word, size_t count, const char* what) {
   long long index = 0;
-  if (!parse_number(word, index)) throw std::runtime_error("'" + shown(word) + "' is not an index");
+  if (!parse_number(word, index)) throw std::runtime_error(in_quotes(word) + " is not an index");
   const long long size = static_cast<long long>(count);
   const long long from_zero = index > 0 ? index - 1 : index + size;
   if (index == 0 || from_zero < 0 || from_zero >= size) {
-    throw std::runtime_error(std::string(what) + " " + shown(word) + " is out of range: there are " +
+    throw std::runtime_error(std::string(what) + " " + std::to_string(index) + " is out of range: there are " +
                              std::to_string(count) + " so far");
   }
   return static_cast<u32>(from_zero);

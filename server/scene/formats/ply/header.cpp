@@ -24,12 +24,6 @@ std::optional<PlyType> type_named(std::string_view name) {
   return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string in_quotes(std::string_view text) {
-  std::string result(1, '\'');
-  result += text.substr(0, 60);
-  return result += '\'';
-}
-
 class HeaderParser {
  public:
   explicit HeaderParser(ByteReader& reader) : reader_(reader) {}

@@ -51,8 +51,7 @@ class PlyTextRows {
     const std::string_view text = word();
     T value{};
     if (!parse_number(text, value)) {
-      fail("'" + std::string(text.substr(0, 60)) + "' is not " +
-           (std::is_same_v<T, float> ? "a number" : "an integer"));
+      fail(in_quotes(text) + " is not " + (std::is_same_v<T, float> ? "a number" : "an integer"));
     }
     return value;
   }
