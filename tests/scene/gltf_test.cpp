@@ -264,8 +264,9 @@ TEST(Gltf, BadJson) {
   EXPECT_EQ(refused("{}"), path + ": not a glTF file: there is no asset version");
   EXPECT_EQ(refused(R"({"asset": {"version": "1.0"}})"), path + ": glTF version '1.0'; only 2.x is known");
   EXPECT_EQ(refused(R"({"asset": {"version": "2.0"}, "extras": )" + std::string(100'000, '[')),
-            path + ": JSON nested deeper than 64 levels");
-  EXPECT_FALSE(refused(R"({"asset": {"version": "2.0"}, "scene": 1e999})").empty());
+            path + ", line 1: JSON nested deeper than 64 levels");
+  const std::string endless = refused("{\"asset\": {\"version\": \"2.0\"},\n\"scene\": 1e999}");
+  EXPECT_TRUE(endless.starts_with(path + ", line 2: ") && endless.ends_with("'1e999'")) << endless;
   EXPECT_FALSE(refused(R"({"asset": {"version": "2.0"}, "nodes": [7]})").empty());
   EXPECT_FALSE(refused("").empty());
 }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "kernels/platform.h"
+#include "server/scene/scene_builder.h"
 
 namespace raywalk::gltf {
 namespace {
@@ -32,6 +33,12 @@ u32 u32_at(const std::string& bytes, size_t at) {
   return value;
 }
 
+/// "<file>, line <n>" of the byte `at`.
+std::string place_of(std::string_view text, size_t at, const std::string& file) {
+  const std::string_view before = text.substr(0, std::min(text.size(), at));
+  return at_line(file, 1 + static_cast<u64>(std::count(before.begin(), before.end(), '\n')));
+}
+
 /// What reads the document afterwards recurses.
 void check_depth(std::string_view text, const std::string& file) {
   int depth = 0;
@@ -43,7 +50,8 @@ void check_depth(std::string_view text, const std::string& file) {
       quoted = c != '"';
     } else if (c == '[' || c == '{') {
       if (++depth > kDeepest) {
-        throw std::runtime_error(file + ": JSON nested deeper than " + std::to_string(kDeepest) + " levels");
+        throw std::runtime_error(place_of(text, i, file) + ": JSON nested deeper than " + std::to_string(kDeepest) +
+                                 " levels");
       }
     } else {
       depth -= c == ']' || c == '}';
@@ -56,9 +64,13 @@ Json parse(std::string_view text, const std::string& file) {
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& e) {
-    const std::string_view before = text.substr(0, std::min(text.size(), e.byte));
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    throw std::runtime_error(file + ", line " + std::to_string(line) + ": not JSON (" + e.what() + ")");
+    throw std::runtime_error(place_of(text, e.byte, file) + ": not JSON (" + e.what() + ")");
+  } catch (const Json::out_of_range& e) {
+    // A number beyond all floats, which stands between quotation marks; where it is, the exception does not say.
+    const std::string_view says = e.what();
+    const size_t begin = says.find('\'') + 1;
+    throw std::runtime_error(place_of(text, text.find(says.substr(begin, says.rfind('\'') - begin)), file) + ": " +
+                             e.what());
   } catch (const Json::exception& e) {
     throw std::runtime_error(file + ": " + e.what());
   }
