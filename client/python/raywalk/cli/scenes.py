@@ -1,5 +1,6 @@
 """raywalk scenes: list, info, fetch, load, upload, delete."""
 
+import re
 from pathlib import Path
 from typing import Annotated
 
@@ -61,14 +62,29 @@ def load(
 @app.command()
 def upload(
     context: typer.Context,
-    file: Annotated[Path, typer.Argument(help="A PLY file, plain or gzip.", exists=True, dir_okay=False)],
+    file: Annotated[
+        Path,
+        typer.Argument(
+            help="One file, plain or gzip: AFF, glTF, MGF, OBJ, Open Inventor, VRML 1.0 or PLY. Files that it names "
+            "are not sent with it.",
+            exists=True,
+            dir_okay=False,
+        ),
+    ],
     name: Annotated[str, typer.Option(help="Name that the scene will have.")],
     as_json: Json = False,
 ) -> None:
-    """Upload a triangle mesh under a name of your own (worth it with --server)."""
+    """Upload a scene under a name of your own (worth it with --server)."""
     with connected(context) as client, bar(f"uploading {file.name}"):
-        scene = client.upload_scene(name, file.read_bytes())
+        scene = client.upload_scene(name, file.read_bytes(), extension_of(file))
     print_json(scene) if as_json else print_scene(scene)
+
+
+def extension_of(file: Path) -> str | None:
+    """Of the file's name, where it can tell a format: "obj" of box.obj and of box.obj.gz."""
+    suffix = Path(file.stem).suffix if file.suffix.lower() == ".gz" else file.suffix
+    extension = suffix[1:].lower()
+    return extension if re.fullmatch("[a-z0-9]{1,8}", extension) else None
 
 
 @app.command()
@@ -120,7 +136,8 @@ def scene_table(scenes: list[Scene]) -> Table:
     table.add_column("title")
     for scene in scenes:
         mark = "● " if scene.loaded else ""
-        cells = (scene.name, f"{scene.triangles:,}", str(scene.lights), scene.fidelity, mark + scene.title)
+        fidelity = "no data" if scene.available is False else scene.fidelity
+        cells = (scene.name, f"{scene.triangles:,}", str(scene.lights), fidelity, mark + scene.title)
         table.add_row(*cells)
     return table
 
@@ -130,6 +147,7 @@ def print_scene(scene: Scene) -> None:
     console.print(f"[bold]{scene.name}[/]  {scene.title}")
     facts = scene.model_dump(exclude={"name", "title", "paper", "warnings"}, exclude_none=True)
     for key, value in facts.items():
-        console.print(f"  {key:12} {value:,}" if type(value) is int else f"  {key:12} {value}")
+        if value != "":
+            console.print(f"  {key:13} {value:,}" if type(value) is int else f"  {key:13} {value}")
     for warning in scene.warnings:
-        console.print(f"  [yellow]warning[/]      {warning}")
+        console.print(f"  [yellow]warning[/]       {warning}")

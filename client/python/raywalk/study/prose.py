@@ -16,7 +16,7 @@ ORDER = ("grid", "kd-tree", "BVH")
 ABOUT_FIDELITY = {
     "original": "the paper's own data",
     "derived": "made from the paper's data, with changes",
-    "stand-in": "generated: the paper's object was not at hand",
+    "stand-in": "the paper's object was not at hand",
     "procedural": "generated; not a scene of the paper",
     "uploaded": "uploaded; not a scene of the paper",
 }
