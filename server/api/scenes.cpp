@@ -29,7 +29,8 @@ Response get_scene(Services& s, const Request& r) {
 }
 
 Response upload_scene(Services& s, const Request& r) {
-  return http::json_response(scene_json(s.scenes.upload(r.path_parameter("scene"), r.file)), 201);
+  const std::string extension = r.query.contains("extension") ? "." + r.query.at("extension").get<std::string>() : "";
+  return http::json_response(scene_json(s.scenes.upload(r.path_parameter("scene"), r.file, extension)), 201);
 }
 
 Response delete_scene(Services& s, const Request& r) {

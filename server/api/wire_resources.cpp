@@ -58,7 +58,8 @@ Json to_json(const SceneEntry& entry) {
   const SceneInfo& info = entry.info;
   const LoadedScene* loaded = entry.loaded.get();
   std::string source = info.source;
-  if (!info.credit.empty()) source += (source.empty() ? "" : "; ") + info.credit;
+  const bool is_theirs = info.fidelity == Fidelity::kOriginal || info.fidelity == Fidelity::kDerived;
+  if (is_theirs && !info.credit.empty()) source += (source.empty() ? "" : "; ") + info.credit;
   Json json = {{"name", info.name},
                {"title", info.title},
                {"description", info.prose},

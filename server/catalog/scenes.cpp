@@ -186,7 +186,7 @@ ScenePtr Scenes::resident_or_load(const std::string& name) {
   return load(name, std::nullopt).scene;
 }
 
-ScenePtr Scenes::upload(const std::string& name, const std::filesystem::path& file) {
+ScenePtr Scenes::upload(const std::string& name, const std::filesystem::path& file, const std::string& extension) {
   for (const SceneInfo& info : list_scenes(scenes_dir_, data_dir_)) {
     if (info.name == name) {
       throw Refusal(Refusal::Why::conflict, "scene_name_taken", "The catalogue has a scene '" + name + "' already.");
@@ -195,7 +195,8 @@ ScenePtr Scenes::upload(const std::string& name, const std::filesystem::path& fi
   const auto begin = std::chrono::steady_clock::now();
   ScenePtr scene;
   try {
-    Scene mesh = load_mesh(file, {.decode = decode_texture});
+    // An upload is one file: whatever lies beside it belongs to somebody else.
+    Scene mesh = load_mesh(file, {.root = file, .decode = decode_texture, .extension = extension});
     mesh.source = "upload";
     for (std::string& warning : mesh.warnings) warning = replaced(std::move(warning), file.string(), "upload");
     SceneInfo info;

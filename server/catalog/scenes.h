@@ -60,8 +60,9 @@ class Scenes {
   /// What is resident under the name, whatever its triangle count; else loads the default. Throws as `load`.
   ScenePtr resident_or_load(const std::string& name);
 
-  /// Replaces an earlier upload of that name. Throws Refusal scene_name_taken, bad_mesh.
-  ScenePtr upload(const std::string& name, const std::filesystem::path& file);
+  /// Replaces an earlier upload of that name. `extension` is that of the name which the file had (".obj"), or empty.
+  /// Throws Refusal scene_name_taken, bad_mesh.
+  ScenePtr upload(const std::string& name, const std::filesystem::path& file, const std::string& extension);
 
   /// Throws Refusal unknown_scene; a scene that is not resident stays so.
   void evict(const std::string& name);

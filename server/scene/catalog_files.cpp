@@ -133,7 +133,7 @@ Scene load_original(const OriginalSource& original, const fs::path& data_dir, co
   const u64 found_triangles = scene.triangles.size();
   dress_original(scene, original, file);
   if (original.split_to) split_edges(scene, std::max(*original.split_to, found_triangles));
-  scene.source = original.file.generic_string() + " (" + original.credit + ")";
+  scene.source = original.file.generic_string();
   scene.fidelity = altered ? Fidelity::kDerived : original.fidelity;
   scene.fidelity_note = altered ? "made from another file than the manifest describes" : original.change;
   if (altered) {

@@ -23,6 +23,7 @@ struct ImportLimits {
 struct ImportSettings {
   std::filesystem::path root{};  // no file outside this folder is read; the file's own folder when empty
   DecodeTexture decode{};        // without it every texture is missing
+  std::string extension{};       // of the name that the file had, such as ".obj", where its path has another
   ImportLimits limits{};
   u32 sphere_slices = 20, sphere_stacks = 10;  // of spheres in formats that leave their tessellation to the reader
   u32 cone_slices = 20;  // of AFF's cones; 0 leaves them out, as the published triangle counts of BART scenes do

@@ -22,13 +22,13 @@ std::string extension_of(std::filesystem::path path) {
   return extension;
 }
 
-const Format& format_of(const std::filesystem::path& path) {
+const Format& format_of(const std::filesystem::path& path, const std::string& given_extension) {
   ByteReader reader(path);
   const std::span<const u8> head = reader.peek_some(kHeadBytes);
   for (const Format* format : formats()) {
     if (format->begins(head)) return *format;
   }
-  const std::string extension = extension_of(path);
+  const std::string extension = given_extension.empty() ? extension_of(path) : given_extension;
   std::string known;
   for (const Format* format : formats()) {
     const auto& its = format->extensions;
@@ -41,7 +41,7 @@ const Format& format_of(const std::filesystem::path& path) {
 }  // namespace
 
 Scene load_mesh(const std::filesystem::path& path, ImportSettings settings) {
-  const Format& format = format_of(path);
+  const Format& format = format_of(path, settings.extension);
   ImportFiles files(path, std::move(settings));
   Scene scene = format.load(files);
   scene.name = path.stem().string();

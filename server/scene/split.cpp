@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <optional>
 #include <queue>
 #include <stdexcept>
 #include <unordered_map>
@@ -44,10 +45,7 @@ class EdgeSplitter {
   }
 
   void split_to(u64 triangles) {
-    while (scene_.triangles.size() < triangles) {
-      if (queue_.empty()) {
-        throw std::invalid_argument("the mesh cannot be split to " + std::to_string(triangles) + " triangles");
-      }
+    while (scene_.triangles.size() < triangles && !queue_.empty()) {
       const u64 edge = queue_.top().edge;
       queue_.pop();
       const auto found = edges_.find(edge);
@@ -55,9 +53,14 @@ class EdgeSplitter {
       const EdgeTriangles sides = found->second;
       // A triangle without area, two of whose corners are at one place, has the edge twice.
       if (sides.count == 2 && sides.triangle[0] == sides.triangle[1]) continue;
-      if (scene_.triangles.size() + sides.count > triangles) continue;
-      edges_.erase(found);
+      if (scene_.triangles.size() + sides.count > triangles || !is_longest(edge, sides)) continue;
       halve(edge, sides);
+    }
+    if (scene_.triangles.size() + 1 == triangles) {
+      if (const std::optional<u64> rim = longest_rim()) halve(*rim, edges_.at(*rim));
+    }
+    if (scene_.triangles.size() < triangles) {
+      throw std::invalid_argument("the mesh cannot be split to " + std::to_string(triangles) + " triangles");
     }
   }
 
@@ -93,9 +96,36 @@ class EdgeSplitter {
   }
 
   void enqueue(u64 edge) {
-    const Vec3 d = scene_.positions[edge >> 32] - scene_.positions[edge & 0xffffffffu];
-    const float squared = dot(d, d);
+    const float squared = squared_length(edge);
     if (squared > 0.0f && squared <= kMaxFloat) queue_.push({squared, edge});
+  }
+
+  float squared_length(u64 edge) const {
+    const Vec3 d = scene_.positions[edge >> 32] - scene_.positions[edge & 0xffffffffu];
+    return dot(d, d);
+  }
+
+  /// Whether no triangle of the edge has a longer one. That would be an edge that stays, and halving the shorter ones
+  /// again and again would make triangles ever thinner, but none of them shorter.
+  bool is_longest(u64 edge, const EdgeTriangles& sides) const {
+    const float squared = squared_length(edge);
+    for (u32 side = 0; side < sides.count; ++side) {
+      const TriangleIndices& t = scene_.triangles[sides.triangle[side]];
+      for (const u64 other : {edge_of(t.a, t.b), edge_of(t.b, t.c), edge_of(t.c, t.a)}) {
+        if (squared_length(other) > squared) return false;
+      }
+    }
+    return true;
+  }
+
+  /// The longest edge of a single triangle; nothing if there is none.
+  std::optional<u64> longest_rim() const {
+    std::optional<QueuedEdge> longest;
+    for (const auto& [edge, sides] : edges_) {
+      const QueuedEdge rim{squared_length(edge), edge};
+      if (sides.count == 1 && rim.squared_length > 0.0f && (!longest || *longest < rim)) longest = rim;
+    }
+    return longest ? std::optional(longest->edge) : std::nullopt;
   }
 
   u32 middle_of(u32 a, u32 b) {
@@ -111,7 +141,8 @@ class EdgeSplitter {
     return static_cast<u32>(scene_.positions.size() - 1);
   }
 
-  void halve(u64 edge, const EdgeTriangles& sides) {
+  void halve(u64 edge, const EdgeTriangles sides) {
+    edges_.erase(edge);
     u32 ends[2] = {}, middle = 0, first_middle = 0;
     for (u32 side = 0; side < sides.count; ++side) {
       const u32 t = sides.triangle[side];

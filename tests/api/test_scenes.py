@@ -134,3 +134,20 @@ def test_upload_rules(daemon: Daemon) -> None:
     assert daemon.client.put("/v1/scenes/twice", content=data, headers=BINARY).json()["triangles"] == 1
     assert daemon.client.put("/v1/scenes/twice", content=ply(2), headers=BINARY).json()["triangles"] == 2
     assert daemon.client.delete("/v1/scenes/twice").status_code == 204
+
+
+def test_an_upload_may_be_told_by_the_extension_of_its_name(daemon: Daemon) -> None:
+    api = daemon.client
+    triangle = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    headers = {"Content-Type": "application/octet-stream"}
+    path = "/v1/scenes/told-by-name"
+    refused = api.put(path, content=triangle, headers=headers)
+    assert refused.status_code == 422
+    assert "OBJ" in refused.json()["detail"]
+    taken = api.put(path, content=triangle, headers=headers, params={"extension": "obj"})
+    assert (taken.status_code, taken.json()["triangles"]) == (201, 1)
+    assert api.put(path, content=triangle, headers=headers, params={"extension": "../x"}).status_code == 400
+    named = api.put(path, content=b"mtllib /etc/hostname\n" + triangle, headers=headers, params={"extension": "obj"})
+    assert named.status_code == 201
+    assert any("outside" in warning for warning in named.json()["warnings"])
+    api.delete(path)

@@ -101,6 +101,26 @@ TEST(Split, triangles_without_area_stay_as_they_are) {
   for (size_t i = 5; i < scene.positions.size(); ++i) EXPECT_LE(scene.positions[i].x, 1.0f);
 }
 
+TEST(Split, triangles_whose_longest_edge_must_stay_stay_whole) {
+  Scene scene = square();
+  // Three thin triangles around one edge, longer than all of the square's.
+  const u32 first = static_cast<u32>(scene.positions.size());
+  for (const Vec3 p : {Vec3{0, 0, 5}, {9, 0, 5}, {4, 0.001f, 5}, {5, 0, 5.001f}, {5, -0.001f, 5}}) {
+    scene.positions.push_back(p);
+    scene.texcoords.push_back({0, 0});
+  }
+  for (const u32 tip : {2u, 3u, 4u}) scene.triangles.push_back({first, first + 1, first + tip, 2});
+  split_edges(scene, 500);
+  EXPECT_EQ(scene.triangles.size(), 500u);
+  size_t thin = 0;
+  for (const TriangleIndices& t : scene.triangles) {
+    thin += t.material == 2;
+    const Vec3 a = scene.positions[t.a], b = scene.positions[t.b], c = scene.positions[t.c];
+    EXPECT_GT(length(cross(b - a, c - a)), 0.0f);
+  }
+  EXPECT_EQ(thin, 3u);
+}
+
 TEST(Split, is_the_same_each_time) {
   Scene a = ball(), b = ball();
   split_edges(a, a.triangles.size() + 500);

@@ -76,10 +76,12 @@ class Client:
     def get_scene(self, scene: str) -> models.Scene:
         return self._read(models.Scene, "GET", f"/v1/scenes/{part(scene)}")
 
-    def upload_scene(self, scene: str, content: bytes) -> models.Scene:
+    def upload_scene(self, scene: str, content: bytes, extension: str | None = None) -> models.Scene:
+        """`extension` of the file's name, without a dot, tells formats that the content does not."""
         headers = {"Content-Type": "application/octet-stream"}
+        params = {"extension": extension} if extension else {}
         path = f"/v1/scenes/{part(scene)}"
-        return self._read(models.Scene, "PUT", path, again=False, content=content, headers=headers)
+        return self._read(models.Scene, "PUT", path, again=False, content=content, headers=headers, params=params)
 
     def delete_scene(self, scene: str) -> None:
         self._transfer.send("DELETE", f"/v1/scenes/{part(scene)}", again=False)
