@@ -110,8 +110,8 @@ TEST(Split, triangles_whose_longest_edge_must_stay_stay_whole) {
     scene.texcoords.push_back({0, 0});
   }
   for (const u32 tip : {2u, 3u, 4u}) scene.triangles.push_back({first, first + 1, first + tip, 2});
-  split_edges(scene, 500);
-  EXPECT_EQ(scene.triangles.size(), 500u);
+  split_edges(scene, 501);
+  EXPECT_EQ(scene.triangles.size(), 501u);
   size_t thin = 0;
   for (const TriangleIndices& t : scene.triangles) {
     thin += t.material == 2;
