@@ -74,7 +74,7 @@ JobQueue::Submitted JobQueue::submit(BenchmarkSpec spec, const std::string& key)
   if (const auto known = keys_.find(key); !key.empty() && known != keys_.end()) {
     const Entry& entry = entry_of(known->second);
     if (entry.job.spec == spec) return {snapshot(entry), false};
-    throw Refusal(Refusal::Why::invalid, "idempotency_key_reused",
+    throw Refusal(Refusal::Why::conflict, "idempotency_key_reused",
                   "Job '" + entry.job.id + "' of this Idempotency-Key has another spec; take a new key.")
         .at("/spec");
   }

@@ -70,7 +70,7 @@ def test_idempotency_key(daemon: Daemon, soup: str) -> None:
     assert daemon.finish(first)["state"] == "succeeded"
     body = {"kind": "benchmark", "spec": {**spec, "frames": 5}}
     headers = {"Idempotency-Key": "once"}
-    daemon.problem("POST", "/v1/jobs", 422, "idempotency_key_reused", json=body, headers=headers)
+    daemon.problem("POST", "/v1/jobs", 409, "idempotency_key_reused", json=body, headers=headers)
 
 
 def test_stages_are_announced(daemon: Daemon, soup: str) -> None:
