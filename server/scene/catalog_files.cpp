@@ -97,6 +97,7 @@ void dress_original(Scene& scene, const OriginalSource& original, const fs::path
   scene.normals = std::move(own.normals);
   scene.texcoords = std::move(own.texcoords);
   scene.triangles = std::move(own.triangles);
+  scene.content_sha256 = std::move(own.content_sha256);
   scene.cameras = std::move(own.cameras);
   scene.warnings = std::move(own.warnings);
   dress(scene, original.appearance);
@@ -132,7 +133,10 @@ Scene load_original(const OriginalSource& original, const fs::path& data_dir, co
   const bool altered = scene.triangles.size() != original.triangles || content_sha256_of(file) != original.sha256;
   const u64 found_triangles = scene.triangles.size();
   dress_original(scene, original, file);
-  if (original.split_to) split_edges(scene, std::max(*original.split_to, found_triangles));
+  if (original.split_to) {
+    split_edges(scene, std::max(*original.split_to, found_triangles));
+    scene.content_sha256 = geometry_sha256(scene);
+  }
   scene.source = original.file.generic_string();
   scene.fidelity = altered ? Fidelity::kDerived : original.fidelity;
   scene.fidelity_note = altered ? "made from another file than the manifest describes" : original.change;
@@ -150,6 +154,7 @@ Scene load_generated(const Manifest& manifest, u64 triangles) {
   Scene scene;
   SceneSink sink(scene);
   generate(*generator, triangles, sink);
+  scene.content_sha256 = geometry_sha256(scene);
   dress(scene, manifest.appearance);
   scene.source = generated_by(*manifest.generator, triangles);
   scene.fidelity = generated_fidelity(manifest);
@@ -233,7 +238,6 @@ Scene load_scene(std::string_view name, const fs::path& scenes_dir, const fs::pa
                              (data_dir / manifest.original->file).string());
   }
   scene.name = manifest.name;
-  scene.content_sha256 = geometry_sha256(scene);
   return scene;
 }
 

@@ -35,7 +35,6 @@ Material read_material(const JsonNode& node) {
   m.shininess = shininess ? shininess->number(1.0f, 10'000.0f) : 1.0f;
   const std::optional<JsonNode> ior = node.find("ior");
   m.ior = ior ? ior->number(0.1f, 10.0f) : 1.0f;
-  m.texture = kNoTexture;
   return m;
 }
 

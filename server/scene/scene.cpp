@@ -133,7 +133,6 @@ Material default_material() {
   m.specular = {0.2f, 0.2f, 0.2f};
   m.shininess = 30.0f;
   m.ior = 1.0f;
-  m.texture = kNoTexture;
   return m;
 }
 
