@@ -7,6 +7,12 @@ namespace raywalk {
 /// Rays traced, traversal steps (nodes or cells visited) and ray-triangle tests.
 struct Counts {
   u64 rays, steps, tests;
+  RW_FN Counts& operator+=(const Counts& other) {
+    rays += other.rays;
+    steps += other.steps;
+    tests += other.tests;
+    return *this;
+  }
 };
 
 struct NoCounter {

@@ -1,66 +1,110 @@
-// Instantiates every traversal of the list for the CPU, with all features.
+// Shades frames with any traversal, and makes the table of them.
 #include "kernels/entry_cpu.h"
 
-#include <type_traits>
-
-#include "kernels/accel/traversals.h"
+#include "kernels/entry_trace.h"
 #include "kernels/frame_cpu.h"
-#include "kernels/tracer.h"
+#include "kernels/shade/spawn.h"
 
 namespace raywalk {
 namespace {
 
-template <class Traversal, class CounterT>
-using Tracer =
-    std::conditional_t<Traversal::kGroup == 1, SingleTracer<Traversal, CounterT>, GroupTracer<Traversal, CounterT>>;
+const TraceFunctions& functions_of(const TraceTable& table, const Knobs& knobs) {
+  return table.plain[knobs.intersector][knobs.slab];
+}
+const TraceFunctions& counting_functions_of(const TraceTable& table, const Knobs& knobs) {
+  return table.counting[knobs.intersector][knobs.slab];
+}
 
-template <class Traversal>
-void closest(SceneView scene, const void* structure, const Ray* rays, u64 count, Hit* hits) {
-  closest_hits(Tracer<Traversal, NoCounter>{scene, static_cast<const u8*>(structure)}, rays, count, hits);
+/// The rays of a pixel block together, so that a call by pointer costs nothing.
+struct BlockTracer {
+  static constexpr u32 kLocal = kBlockRays;
+  const TraceFunctions& functions;
+  const TraceTarget& target;
+  Counts counts[kLocal] = {};
+
+  void closest(const Ray* rays, const bool* active, Hit* hits) {
+    functions.closest(target, rays, active, kLocal, hits, counts);
+  }
+  void occluded(const Ray* rays, const bool* active, bool* out) {
+    functions.occluded(target, rays, active, kLocal, out, counts);
+  }
+  bool any(const bool* flags) const {
+    bool some = false;
+    for (u32 i = 0; i < kLocal; ++i) some |= flags[i];
+    return some;
+  }
+};
+
+/// The tile's colours, with the spawn offset that the knobs name.
+template <class Sink>
+void shade(BlockTracer& tracer, const FrameArgs& args, Tile tile, Sink sink) {
+  u32 row = 0;
+#define RW_SHADE(type, name, help) \
+  if (tracer.target.knobs.spawn == row++) shade_tile<type>(tracer, tracer.target.scene, args, tile, sink);
+  RW_SPAWN_OFFSETS(RW_SHADE)
+#undef RW_SHADE
+}
+
+/// work(first, count, active) for pieces of a list, as long as a block; rays behind the list are not active.
+template <class Work>
+void in_pieces(u64 count, Work work) {
+  for (u64 first = 0; first < count; first += kBlockRays) {
+    const u64 here = count - first < kBlockRays ? count - first : kBlockRays;
+    bool active[kBlockRays];
+    for (u64 i = 0; i < kBlockRays; ++i) active[i] = i < here;
+    work(first, here, active);
+  }
 }
 
 template <class Traversal>
-void occluded(SceneView scene, const void* structure, const Ray* rays, u64 count, u8* out) {
-  any_hits(Tracer<Traversal, NoCounter>{scene, static_cast<const u8*>(structure)}, rays, count, out);
-}
-
-template <class Traversal>
-void count_rays(SceneView scene, const void* structure, const Ray* rays, u64 count, Counts* counts) {
-  constexpr u32 kLocal = Tracer<Traversal, Counter>::kLocal;
-  for_groups<kLocal>(count, [&](u64 first, const bool* active) {
-    Tracer<Traversal, Counter> tracer{scene, static_cast<const u8*>(structure)};
-    Ray group[kLocal]{};
-    Hit found[kLocal];
-    take<kLocal>(rays + first, active, group);
-    tracer.closest(group, active, found);
-    for (u32 i = 0; i < kLocal && active[i]; ++i) {
-      if constexpr (kLocal == 1) {
-        counts[first] = tracer.counter.counts;
-      } else {
-        counts[first + i] = tracer.counter[i].counts;
-      }
-    }
+void closest(const TraceTarget& target, const Ray* rays, u64 count, Hit* hits) {
+  const TraceFunctions& functions = functions_of(trace_table<Traversal>(), target.knobs);
+  in_pieces(count, [&](u64 first, u64, const bool* active) {
+    functions.closest(target, rays + first, active, kBlockRays, hits + first, nullptr);
   });
 }
 
 template <class Traversal>
-void frame(SceneView scene, const void* structure, const FrameArgs& args, Tile tile, Vec3* pixels) {
-  Tracer<Traversal, NoCounter> tracer{scene, static_cast<const u8*>(structure)};
-  shade_tile(tracer, scene, args, tile, [&](u32 x, u32 y, Vec3 color) { pixels[u64{y} * args.width + x] = color; });
+void occluded(const TraceTarget& target, const Ray* rays, u64 count, u8* out) {
+  const TraceFunctions& functions = functions_of(trace_table<Traversal>(), target.knobs);
+  in_pieces(count, [&](u64 first, u64 here, const bool* active) {
+    bool flags[kBlockRays];
+    functions.occluded(target, rays + first, active, kBlockRays, flags, nullptr);
+    for (u64 i = 0; i < here; ++i) out[first + i] = flags[i];
+  });
 }
 
 template <class Traversal>
-Counts count_frame(SceneView scene, const void* structure, const FrameArgs& args, Tile tile) {
-  Tracer<Traversal, Counter> tracer{scene, static_cast<const u8*>(structure)};
-  shade_tile(tracer, scene, args, tile, [](u32, u32, Vec3) {});
-  return counts_of(tracer);
+void count_rays(const TraceTarget& target, const Ray* rays, u64 count, Counts* counts) {
+  const TraceFunctions& functions = counting_functions_of(trace_table<Traversal>(), target.knobs);
+  in_pieces(count, [&](u64 first, u64 here, const bool* active) {
+    Hit hits[kBlockRays];
+    Counts work[kBlockRays] = {};
+    functions.closest(target, rays + first, active, kBlockRays, hits, work);
+    for (u64 i = 0; i < here; ++i) counts[first + i] = work[i];
+  });
+}
+
+template <class Traversal>
+void frame(const TraceTarget& target, const FrameArgs& args, Tile tile, Vec3* pixels) {
+  BlockTracer tracer{functions_of(trace_table<Traversal>(), target.knobs), target};
+  shade(tracer, args, tile, [&](u32 x, u32 y, Vec3 color) { pixels[u64{y} * args.width + x] = color; });
+}
+
+template <class Traversal>
+Counts count_frame(const TraceTarget& target, const FrameArgs& args, Tile tile) {
+  BlockTracer tracer{counting_functions_of(trace_table<Traversal>(), target.knobs), target};
+  shade(tracer, args, tile, [](u32, u32, Vec3) {});
+  Counts sum{};
+  for (const Counts& counts : tracer.counts) sum += counts;
+  return sum;
 }
 
 }  // namespace
 
 const std::vector<CpuTraversal>& cpu_traversals() {
-#define RW_CPU_ROW(type, space, structure, traversal, group, help) \
-  {structure, traversal, help, closest<type>, occluded<type>, frame<type>, count_frame<type>, count_rays<type>},
+#define RW_CPU_ROW(type, space, structure, traversal, group, knobs, help) \
+  {structure, traversal, help, knobs, closest<type>, occluded<type>, frame<type>, count_frame<type>, count_rays<type>},
   static const std::vector<CpuTraversal> table = {RW_TRAVERSALS(RW_CPU_ROW)};
 #undef RW_CPU_ROW
   return table;

@@ -2,26 +2,9 @@
 #pragma once
 #include <algorithm>
 
-#include "kernels/counter.h"
 #include "kernels/shade/radiance.h"
 
 namespace raywalk {
-
-template <class TracerT>
-Counts counts_of(const TracerT& tracer) {
-  Counts sum{};
-  const auto add = [&](const Counter& c) {
-    sum.rays += c.counts.rays;
-    sum.steps += c.counts.steps;
-    sum.tests += c.counts.tests;
-  };
-  if constexpr (TracerT::kLocal == 1) {
-    add(tracer.counter);
-  } else {
-    for (const Counter& c : tracer.counter) add(c);
-  }
-  return sum;
-}
 
 /// Calls work(first ray of the group, active flags) for groups of kLocal rays.
 template <u32 kLocal, class Work>
@@ -70,15 +53,14 @@ void any_hits(TracerT tracer, const Ray* rays, u64 count, u8* out) {
   });
 }
 
-/// Pixels in groups of kLocal: one by one, or as many at a time of a block of kBlockRays.
-template <class TracerT, class Sink>
+/// Pixels in groups of kLocal: as many at a time of a block of kBlockRays. sink(x, y, colour) takes them.
+template <class Spawn, class TracerT, class Sink>
 void shade_tile(TracerT& tracer, SceneView scene, const FrameArgs& args, Tile tile, Sink sink) {
   constexpr u32 kLocal = TracerT::kLocal;
-  constexpr u32 kSide = kLocal == 1 ? 1 : kBlockSide, kLanes = kSide * kSide;
-  static_assert(kLanes % kLocal == 0);
-  for (u32 by = tile.y0; by < tile.y1; by += kSide) {
-    for (u32 bx = tile.x0; bx < tile.x1; bx += kSide) {
-      for (u32 first = 0; first < kLanes; first += kLocal) {
+  static_assert(kBlockRays % kLocal == 0);
+  for (u32 by = tile.y0; by < tile.y1; by += kBlockSide) {
+    for (u32 bx = tile.x0; bx < tile.x1; bx += kBlockSide) {
+      for (u32 first = 0; first < kBlockRays; first += kLocal) {
         u32 x[kLocal], y[kLocal];
         bool active[kLocal];
         Vec3 color[kLocal];
@@ -87,7 +69,7 @@ void shade_tile(TracerT& tracer, SceneView scene, const FrameArgs& args, Tile ti
           y[i] = by + block_y(first + i);
           active[i] = x[i] < tile.x1 && y[i] < tile.y1;
         }
-        radiance<kAllFeatures>(tracer, scene, args, x, y, active, color);
+        radiance<kAllFeatures, Spawn>(tracer, scene, args, x, y, active, color);
         for (u32 i = 0; i < kLocal; ++i)
           if (active[i]) sink(x[i], y[i], color[i]);
       }

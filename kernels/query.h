@@ -1,18 +1,22 @@
 // What a traversal asks of each triangle: the closest hit, or whether there is any. A traversal is compiled once for
-// each. An intersector is a ray prepared for one of the tests of kernels/triangle.
+// each and for each set of knobs. An intersector is a ray prepared for one of the tests of kernels/triangle.
 #pragma once
+#include "kernels/knobs.h"
 #include "kernels/triangle/moeller_trumbore.h"
 #include "kernels/triangle/watertight.h"
 
 namespace raywalk {
 
 /// Keeps the hit with the smallest (t, id).
-template <class Intersector>
+template <class KnobsT>
 struct ClosestHitBy {
+  using Knobs = KnobsT;
+  using Intersector = typename Knobs::Intersector;
   static constexpr bool kAny = false;
   Intersector ray;
   float tmin;
   Hit best;
+  u32 stack_entries = kStackEntries;  // of a short stack on the CPU
 
   ClosestHitBy() = default;
   RW_FN explicit ClosestHitBy(const Ray& r) : ray(r), tmin(r.tmin), best(miss_of(r)) {}
@@ -27,12 +31,15 @@ struct ClosestHitBy {
 };
 
 /// Stops at the first hit inside the interval.
-template <class Intersector>
+template <class KnobsT>
 struct AnyHitBy {
+  using Knobs = KnobsT;
+  using Intersector = typename Knobs::Intersector;
   static constexpr bool kAny = true;
   Intersector ray;
   float tmin, limit;
   bool occluded;
+  u32 stack_entries = kStackEntries;
 
   AnyHitBy() = default;
   RW_FN explicit AnyHitBy(const Ray& r) : ray(r), tmin(r.tmin), limit(r.tmax), occluded(false) {}
@@ -44,7 +51,7 @@ struct AnyHitBy {
   }
 };
 
-using ClosestHit = ClosestHitBy<Watertight>;
-using AnyHit = AnyHitBy<Watertight>;
+using ClosestHit = ClosestHitBy<StrictKnobs>;
+using AnyHit = AnyHitBy<StrictKnobs>;
 
 }  // namespace raywalk

@@ -8,12 +8,13 @@
 namespace raywalk {
 
 /// Rays one by one.
-template <class Traversal, class CounterT, class Intersector = Watertight>
+template <class Traversal, class CounterT, class Knobs = StrictKnobs>
 struct SingleTracer {
   static constexpr u32 kLocal = 1;
   SceneView scene;
   const u8* blob;
   CounterT counter{};
+  u32 stack_entries = kStackEntries;
 
   RW_FN void closest(const Ray* rays, const bool* active, Hit* hits) {
     if (!active[0]) return;
@@ -22,7 +23,8 @@ struct SingleTracer {
       hits[0] = miss_of(rays[0]);
       return;
     }
-    ClosestHitBy<Intersector> query(rays[0]);
+    ClosestHitBy<Knobs> query(rays[0]);
+    query.stack_entries = stack_entries;
     Traversal::traverse(blob, scene, rays[0], query, counter);
     hits[0] = query.best;
   }
@@ -31,7 +33,8 @@ struct SingleTracer {
     if (!active[0]) return;
     counter.ray();
     if (!is_valid(rays[0])) return;
-    AnyHitBy<Intersector> query(rays[0]);
+    AnyHitBy<Knobs> query(rays[0]);
+    query.stack_entries = stack_entries;
     Traversal::traverse(blob, scene, rays[0], query, counter);
     out[0] = query.occluded;
   }
@@ -39,7 +42,7 @@ struct SingleTracer {
 };
 
 /// Traversal::kGroup rays together.
-template <class Traversal, class CounterT, class Intersector = Watertight>
+template <class Traversal, class CounterT, class Knobs = StrictKnobs>
 struct GroupTracer {
   using Group = Lanes<Traversal::kGroup>;
   static constexpr u32 kLocal = Group::kLocal;
@@ -48,7 +51,7 @@ struct GroupTracer {
   CounterT counter[kLocal]{};
 
   RW_FN void closest(const Ray* rays, const bool* active, Hit* hits) {
-    ClosestHitBy<Intersector> queries[kLocal];
+    ClosestHitBy<Knobs> queries[kLocal];
     bool valid[kLocal];
     begin(rays, active, valid, queries);
     Traversal::template traverse<Group>(blob, scene, rays, valid, queries, counter);
@@ -56,7 +59,7 @@ struct GroupTracer {
       if (active[i]) hits[i] = valid[i] ? queries[i].best : miss_of(rays[i]);
   }
   RW_FN void occluded(const Ray* rays, const bool* active, bool* out) {
-    AnyHitBy<Intersector> queries[kLocal];
+    AnyHitBy<Knobs> queries[kLocal];
     bool valid[kLocal];
     begin(rays, active, valid, queries);
     Traversal::template traverse<Group>(blob, scene, rays, valid, queries, counter);

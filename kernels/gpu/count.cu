@@ -8,7 +8,7 @@ namespace {
 
 using CountingTracer = TracerOf<RW_TRAVERSAL, Counter>::Type;
 
-RW_FN const Counts& counts_of(const SingleTracer<RW_TRAVERSAL, Counter, RW_INTERSECTOR>& tracer) {
+RW_FN const Counts& counts_of(const SingleTracer<RW_TRAVERSAL, Counter, KernelKnobs>& tracer) {
   return tracer.counter.counts;
 }
 template <class TracerT>
@@ -26,7 +26,7 @@ count_frame(const u8* scene, const u8* structure, const __grid_constant__ FrameB
   const Pixel pixel = pixel_of(args, thread_number());
   Vec3 color;
   CountingTracer tracer{{scene}, structure};
-  radiance<RW_FEATURES>(tracer, SceneView{scene}, args, &pixel.x, &pixel.y, &pixel.inside, &color);
+  radiance<RW_FEATURES, RW_SPAWN>(tracer, SceneView{scene}, args, &pixel.x, &pixel.y, &pixel.inside, &color);
   const Counts& counts = counts_of(tracer);
   atomicAdd(&sum->rays, counts.rays);
   atomicAdd(&sum->steps, counts.steps);

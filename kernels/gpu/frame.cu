@@ -11,6 +11,6 @@ frame(const u8* scene, const u8* structure, const __grid_constant__ FrameBatch b
   const Pixel pixel = pixel_of(args, thread_number());
   Vec3 color;
   TracerOf<RW_TRAVERSAL, NoCounter>::Type tracer{{scene}, structure};
-  radiance<RW_FEATURES>(tracer, SceneView{scene}, args, &pixel.x, &pixel.y, &pixel.inside, &color);
+  radiance<RW_FEATURES, RW_SPAWN>(tracer, SceneView{scene}, args, &pixel.x, &pixel.y, &pixel.inside, &color);
   if (pixel.inside) pixels[(u64{blockIdx.y} * args.height + pixel.y) * args.width + pixel.x] = color;
 }

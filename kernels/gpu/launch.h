@@ -1,5 +1,5 @@
 // GPU only: what all kernel files share. They are compiled at run time, once for each combination of
-//   RW_TRAVERSAL  a type of kernels/accel/traversals.h     RW_INTERSECTOR    a type of kernels/query.h
+//   RW_TRAVERSAL  a type of kernels/accel/traversals.h     RW_INTERSECTOR, RW_SLAB, RW_SPAWN  types of kernels/knobs.h
 //   RW_FEATURES   bits of kernels/features.h               RW_MODE           a value of Mode
 //   RW_BLOCK      threads a block, a multiple of 32        RW_STACK_ENTRIES  of a short stack
 //   RW_REGISTERS  cap a thread; 0: the compiler's choice
@@ -17,13 +17,15 @@
 
 namespace raywalk {
 
+using KernelKnobs = TraceKnobs<RW_INTERSECTOR, RW_SLAB>;
+
 template <class Traversal, class CounterT, bool kSingle = Traversal::kGroup == 1>
 struct TracerOf {
-  using Type = SingleTracer<Traversal, CounterT, RW_INTERSECTOR>;
+  using Type = SingleTracer<Traversal, CounterT, KernelKnobs>;
 };
 template <class Traversal, class CounterT>
 struct TracerOf<Traversal, CounterT, false> {
-  using Type = GroupTracer<Traversal, CounterT, RW_INTERSECTOR>;
+  using Type = GroupTracer<Traversal, CounterT, KernelKnobs>;
 };
 
 RW_FN u64 thread_number() {

@@ -21,7 +21,7 @@ struct PendingRay {
 /// A tracer has kLocal, closest(rays, active, hits) and occluded(rays, active, occluded) over arrays of kLocal lanes,
 /// and any(flags), true if a flag of any lane of the group is set.
 /// Shadow rays end at any hit, but in Mode::whitted, in a scene with glass: there glass colours the light.
-template <u32 kFeatures, class Tracer>
+template <u32 kFeatures, class Spawn = ErrorBoundOffset, class Tracer>
 RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, const u32* x, const u32* y,
                     const bool* active, Vec3* color) {
   constexpr u32 kLocal = Tracer::kLocal;
@@ -92,14 +92,14 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
                                                        light.intensity, s.normal, normalized(to_light), rays[i].d);
         wanted[i] = largest(contribution[i]) > 0.0f;
         if (wanted[i]) {
-          const Vec3 origin = spawn_origin(s, to_light);
+          const Vec3 origin = Spawn::origin(s, to_light);
           shadow[i] = {origin, 0.0f, light.position - origin, 1.0f};
         }
       }
       if (!tracer.any(wanted)) continue;
       if constexpr (kGlass) {
         if (colored_shadows) {
-          filter_light(tracer, scene, light.position, shadow, wanted, contribution);
+          filter_light<Spawn>(tracer, scene, light.position, shadow, wanted, contribution);
           for (u32 i = 0; i < kLocal; ++i)
             if (largest(contribution[i]) > 0.0f) color[i] = color[i] + weight[i] * contribution[i];
           continue;
@@ -124,7 +124,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
         Vec3 mirrored = m.reflection;
         const auto follow = [&](Vec3 d, Vec3 part) {
           if constexpr (kTextured) pending_travelled[i][waiting[i]] = travelled[i];
-          pending[i][waiting[i]++] = {{spawn_origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * part, bounces_left[i] - 1};
+          pending[i][waiting[i]++] = {{Spawn::origin(s, d), 0.0f, d, kMaxFloat}, weight[i] * part, bounces_left[i] - 1};
         };
         if (kGlass && largest(m.transmission) > 0.0f) {
           const float eta = s.front ? reciprocal(m.ior) : m.ior;

@@ -1,4 +1,4 @@
-// The point that a ray hit: position with its rounding error, normals, and rays that leave it without meeting it again.
+// The point that a ray hit: position with its rounding error, normals, material.
 #pragma once
 #include "kernels/features.h"
 #include "kernels/ray.h"
@@ -63,20 +63,6 @@ RW_FN Surface surface_at(SceneView scene, const Hit& hit, Vec3 d, float width) {
   Surface s = surface_of(t.a, t.b, t.c, hit.u, hit.v, interpolated, d, indices.material);
   if constexpr ((kFeatures & kFeatureTextures) != 0) s.tint = tint_at(scene, t, indices, hit.u, hit.v, d, width);
   return s;
-}
-
-/// Start of a ray that leaves towards `d`: moved along the geometric normal past the error of the position (Pharr et
-/// al., PBR 3.9.5) and that of the triangle test, and then outward by the last bit, so that the ray cannot meet its own
-/// surface.
-RW_FN Vec3 spawn_origin(const Surface& s, Vec3 d) {
-  const bool outward = dot(d, s.geometric_normal) > 0.0f;
-  const Vec3 n = outward ? s.geometric_normal : -s.geometric_normal;
-  const Vec3 p = fma(dot(magnitude(n), s.error) + s.slack, n, s.position);
-  const auto away = [](float value, float direction) {
-    if (direction == 0.0f || value == 0.0f) return value;
-    return float_of(bits_of(value) + ((value > 0.0f) == (direction > 0.0f) ? 1u : 0xffffffffu));
-  };
-  return {away(p.x, n.x), away(p.y, n.y), away(p.z, n.z)};
 }
 
 }  // namespace raywalk

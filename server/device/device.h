@@ -76,6 +76,9 @@ struct RayJob {
   OptionValues kernel = {};
 };
 
+/// What is asked of each ray of a list.
+enum class RayQuery { closest, any };
+
 /// What a benchmark times: closest hits of primary rays that lie in memory, or shaded frames.
 enum class Work { trace, frame };
 
@@ -170,6 +173,9 @@ class Device {
   virtual std::vector<Hit> closest(const RayJob& job) = 0;
   /// 1 where the ray is occluded.
   virtual std::vector<u8> occluded(const RayJob& job) = 0;
+  /// Traces the list `launches` times and keeps no answer. The time in ms of each, without transfers and whatever a
+  /// first use has to prepare.
+  virtual std::vector<double> measure_rays(const RayJob& job, RayQuery query, u32 launches) = 0;
 };
 
 /// The CPU device: the kernels and Embree, on `threads` threads (0 = all processors).

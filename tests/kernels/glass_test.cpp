@@ -140,7 +140,7 @@ ShadedScene map() {
   return scene;
 }
 
-/// Units off a sheet's surface from which a ray goes on (see spawn_origin), rounding of the position included.
+/// Units off a sheet's surface from which a ray goes on (see kernels/shade/spawn.h), rounding of the position included.
 constexpr float off_surface(float half) {
   return 1.5e-6f * 2 * half;
 }

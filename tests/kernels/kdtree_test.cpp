@@ -159,7 +159,7 @@ TEST(KdTree, BlobMayMove) {
 }
 
 TEST(KdTree, ShortStackForgetsItsOldestEntry) {
-  kdtree::short_stack_3::Stack stack;
+  kdtree::short_stack_3::Stack stack(kStackEntries);
   for (u32 i = 0; i < 6; ++i) stack.push(static_cast<float>(i), 10.0f, i);
   float enter = 0, exit = 0;
   u32 node = 0;

@@ -133,7 +133,7 @@ int spawn_from(const Corners& t, test::Random& random) {
   for (int j = 0; j < 8; ++j) {
     Vec3 d = direction();
     if (j % 2) d = normalized(d - s.geometric_normal * (dot(d, s.geometric_normal) * 0.999f));  // grazing
-    const Ray leaving{spawn_origin(s, d), 0.0f, d, kMaxFloat};
+    const Ray leaving{ErrorBoundOffset::origin(s, d), 0.0f, d, kMaxFloat};
     Hit again;
     tracer.closest(&leaving, &active, &again);
     EXPECT_EQ(again.id, kMiss) << "at distance " << again.t << ", scale " << scale;
@@ -188,7 +188,7 @@ TEST(Spawn, AShellCloseByIsStillMet) {
       tracer.closest(&out, &active, &hit);
       ASSERT_LT(hit.id, inner);
       const Surface s = surface_at<kAllFeatures>(scene, hit, d, 0.0f);
-      const Ray leaving{spawn_origin(s, d), 0.0f, d, kMaxFloat};
+      const Ray leaving{ErrorBoundOffset::origin(s, d), 0.0f, d, kMaxFloat};
       tracer.closest(&leaving, &active, &hit);
       ASSERT_TRUE(hit.id != kMiss && hit.id >= inner) << "ray " << k;
       ASSERT_LT(hit.t, 1e-4f);

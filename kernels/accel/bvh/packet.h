@@ -11,13 +11,13 @@ namespace raywalk::bvh::packet {
 
 /// The slab constants of a thread's lanes, as arrays. Low and high planes instead of near and far ones, so that lanes
 /// of different signs run through the same instructions: near = smaller(low, high).
-template <u32 N>
+template <class Slab, u32 N>
 struct Slabs {
   float inverse[3][N], low[3][N], high[3][N];
   float tmin[N], tmax[N];  // tmax below tmin: the lane has finished
 
   RW_FN void set(u32 lane, const Ray& ray, const Header& header) {
-    const SlabRay s = slab_ray(ray, header.centre, header.half_extent);
+    const SlabRay s = slab_ray<Slab>(ray, header.centre, header.half_extent);
     for (u32 axis = 0; axis < 3; ++axis) {
       const bool ascending = bits_of(s.inverse[axis]) >> 31 == 0;
       inverse[axis][lane] = s.inverse[axis];
@@ -43,8 +43,8 @@ struct Votes {
 };
 
 /// The votes of a thread's lanes on a node. A lane that needs neither child has no say in the order.
-template <u32 N>
-RW_FN void choose(const Slabs<N>& s, const Node& node, u32* votes) {
+template <class Slab, u32 N>
+RW_FN void choose(const Slabs<Slab, N>& s, const Node& node, u32* votes) {
   float entry[2][N], exit[2][N];
   for (u32 side = 0; side < 2; ++side) {
     for (u32 i = 0; i < N; ++i) {
@@ -54,15 +54,21 @@ RW_FN void choose(const Slabs<N>& s, const Node& node, u32* votes) {
     for (u32 axis = 0; axis < 3; ++axis) {
       const float lo = node.planes[axis][side], hi = node.planes[axis][side + 2];
       for (u32 i = 0; i < N; ++i) {
-        const float a = fma(lo, s.inverse[axis][i], s.low[axis][i]);
-        const float b = fma(hi, s.inverse[axis][i], s.high[axis][i]);
-        entry[side][i] = larger(smaller(a, b), entry[side][i]);
-        exit[side][i] = smaller(larger(a, b), exit[side][i]);
+        const float a = crossing<Slab>(lo, s.inverse[axis][i], s.low[axis][i]);
+        const float b = crossing<Slab>(hi, s.inverse[axis][i], s.high[axis][i]);
+        if constexpr (Slab::kInfinities) {  // a NaN is dropped only if it is known which side it belongs to
+          const bool ascending = s.inverse[axis][i] > 0.0f;
+          entry[side][i] = larger(ascending ? a : b, entry[side][i]);
+          exit[side][i] = smaller(ascending ? b : a, exit[side][i]);
+        } else {
+          entry[side][i] = larger(smaller(a, b), entry[side][i]);
+          exit[side][i] = smaller(larger(a, b), exit[side][i]);
+        }
       }
     }
   }
   for (u32 i = 0; i < N; ++i) {
-    const bool left = entry[0][i] <= exit[0][i], right = entry[1][i] <= exit[1][i];
+    const bool left = entry[0][i] <= widened<Slab>(exit[0][i]), right = entry[1][i] <= widened<Slab>(exit[1][i]);
     const i32 nearer = (entry[1][i] < entry[0][i] ? 1 : 0) - (entry[0][i] < entry[1][i] ? 1 : 0);
     const i32 alone = (right ? 1 : 0) - (left ? 1 : 0);
     votes[i] = Votes::of_lane(left, right, left && right ? nearer : alone);
@@ -81,7 +87,7 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray* rays, const 
   const Node* nodes = data_of(blob, header.nodes);
   const Corners* triangles = data_of(blob, header.triangles);
 
-  Slabs<kLocal> slabs = {};
+  Slabs<typename Query::Knobs::Slab, kLocal> slabs = {};
   bool going[kLocal];
   for (u32 i = 0; i < kLocal; ++i) {
     going[i] = active[i];

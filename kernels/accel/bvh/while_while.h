@@ -18,7 +18,7 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray& ray, Query& 
   if (header.triangles.count == 0) return;
   const Node* nodes = data_of(blob, header.nodes);
   const Corners* triangles = data_of(blob, header.triangles);
-  const PairSlabs slabs(ray, header);
+  const PairSlabs<typename Query::Knobs::Slab> slabs(ray, header);
   PairLimits limits{query.tmin, query.tmax()};
   Waiting stack[kMaxDepth];
   u32 waiting = 0;

@@ -8,6 +8,7 @@ namespace raywalk::kdtree::short_stack_2 {
 
 struct Stack {
   Ring<2> ring;
+  RW_FN explicit Stack(u32 entries) : ring(entries) {}
   RW_FN void push(float /*enter*/, float exit, u32 node) {
     const u32 entry[] = {bits_of(exit), node};
     ring.push(entry);
@@ -24,7 +25,7 @@ struct Stack {
 /// The ray is valid.
 template <class Query, class Counter>
 RW_FN void traverse(const u8* blob, SceneView scene, const Ray& ray, Query& query, Counter& counter) {
-  Stack stack;
+  Stack stack(query.stack_entries);
   traverse_short_stack(stack, blob, scene, ray, query, counter);
 }
 

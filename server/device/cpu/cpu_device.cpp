@@ -6,6 +6,7 @@
 #include "server/device/camera.h"
 #include "server/device/cpu/cpu_kind.h"
 #include "server/device/cpu/tile_runner.h"
+#include "server/device/knobs.h"
 #include "server/device/outputs.h"
 #include "server/system/stopwatch.h"
 
@@ -39,12 +40,12 @@ class CpuDevice final : public Device {
     if (job.output != Output::color) return render_primary(job, frame);
     const CpuStructure& structure = structure_of(job.structure);
     const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    const TraceTarget target = target_of(structure, job.kernel);
     const FrameArgs args = frame_args(job);
     shape_frame(job, 3, frame);
     Vec3* pixels = reinterpret_cast<Vec3*>(frame.pixels.data());
     const Stopwatch watch;
-    runner_.over_tiles(job.width, job.height,
-                       [&](Tile tile) { row.frame(structure.scene(), structure.handle(), args, tile, pixels); });
+    runner_.over_tiles(job.width, job.height, [&](Tile tile) { row.frame(target, args, tile, pixels); });
     frame.trace_ms = watch.ms();
   }
 
@@ -83,40 +84,54 @@ class CpuDevice final : public Device {
     if (loop_of(job.structure->kind(), job.traversal)) return {u64{job.width} * job.height, 0, 0};
     const CpuStructure& structure = structure_of(job.structure);
     const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    const TraceTarget target = target_of(structure, job.kernel);
     const FrameArgs args = frame_args(job);
     Counts sum{};
     std::mutex mutex;
     runner_.over_tiles(job.width, job.height, [&](Tile tile) {
-      const Counts counts = row.count_frame(structure.scene(), structure.handle(), args, tile);
+      const Counts counts = row.count_frame(target, args, tile);
       const std::scoped_lock lock(mutex);
-      sum.rays += counts.rays;
-      sum.steps += counts.steps;
-      sum.tests += counts.tests;
+      sum += counts;
     });
     return sum;
   }
   bool can_count(const std::string& kind) const override { return kind_of(kind).counts_work; }
 
   std::vector<Hit> closest(const RayJob& job) override {
-    const CpuStructure& structure = structure_of(job.structure);
-    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
-    std::vector<Hit> hits(job.rays.size());
-    runner_.over_rays(hits.size(), [&](u64 first, u64 last) {
-      row.closest(structure.scene(), structure.handle(), job.rays.data() + first, last - first, hits.data() + first);
-    });
+    std::vector<Hit> hits;
+    trace(job, &CpuTraversal::closest, hits);
     return hits;
   }
   std::vector<u8> occluded(const RayJob& job) override {
-    const CpuStructure& structure = structure_of(job.structure);
-    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
-    std::vector<u8> flags(job.rays.size());
-    runner_.over_rays(flags.size(), [&](u64 first, u64 last) {
-      row.occluded(structure.scene(), structure.handle(), job.rays.data() + first, last - first, flags.data() + first);
-    });
+    std::vector<u8> flags;
+    trace(job, &CpuTraversal::occluded, flags);
     return flags;
+  }
+  std::vector<double> measure_rays(const RayJob& job, RayQuery query, u32 launches) override {
+    std::vector<double> ms;
+    for (u32 i = 0; i < launches; ++i) {
+      const Stopwatch watch;
+      if (query == RayQuery::closest) {
+        trace(job, &CpuTraversal::closest, hits_);
+      } else {
+        trace(job, &CpuTraversal::occluded, flags_);
+      }
+      ms.push_back(watch.ms());
+    }
+    return ms;
   }
 
  private:
+  template <class Answer>
+  void trace(const RayJob& job, void (*CpuTraversal::*query)(const TraceTarget&, const Ray*, u64, Answer*),
+             std::vector<Answer>& answers) {
+    const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    const TraceTarget target = target_of(structure_of(job.structure), job.kernel);
+    answers.resize(job.rays.size());
+    runner_.over_rays(answers.size(), [&](u64 first, u64 last) {
+      (row.*query)(target, job.rays.data() + first, last - first, answers.data() + first);
+    });
+  }
   const CpuKind& kind_of(const std::string& name) const {
     for (const CpuKind& kind : kinds_)
       if (kind.info.name == name) return kind;
@@ -132,6 +147,9 @@ class CpuDevice final : public Device {
       if (loop.name == name) return &loop;
     return nullptr;
   }
+  static TraceTarget target_of(const CpuStructure& structure, const OptionValues& kernel) {
+    return {structure.scene(), structure.handle(), knobs_of(kernel)};
+  }
   static const CpuStructure& structure_of(const std::shared_ptr<const Structure>& structure) {
     return dynamic_cast<const CpuStructure&>(*structure);
   }
@@ -146,11 +164,12 @@ class CpuDevice final : public Device {
   double trace_in_block_order(const FrameJob& job) {
     const CpuStructure& structure = structure_of(job.structure);
     const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    const TraceTarget target = target_of(structure, job.kernel);
     prepare_rays(job);
     hits_.resize(rays_.size());
     const Stopwatch watch;
     runner_.over_rays(rays_.size(), [&](u64 first, u64 last) {
-      row.closest(structure.scene(), structure.handle(), rays_.data() + first, last - first, hits_.data() + first);
+      row.closest(target, rays_.data() + first, last - first, hits_.data() + first);
     });
     return watch.ms();
   }
@@ -177,11 +196,12 @@ class CpuDevice final : public Device {
 
   void render_steps(const FrameJob& job, const CpuStructure& structure, Frame& frame) {
     const CpuTraversal& row = traversal_of(job.structure->kind(), job.traversal);
+    const TraceTarget target = target_of(structure, job.kernel);
     prepare_rays(job);
     std::vector<Counts> counts(rays_.size());
     const Stopwatch watch;
     runner_.over_rays(rays_.size(), [&](u64 first, u64 last) {
-      row.count_rays(structure.scene(), structure.handle(), rays_.data() + first, last - first, counts.data() + first);
+      row.count_rays(target, rays_.data() + first, last - first, counts.data() + first);
     });
     frame.trace_ms = watch.ms();
     const Counts* next = counts.data();
@@ -195,6 +215,7 @@ class CpuDevice final : public Device {
   std::vector<KindInfo> infos_;
   std::vector<Ray> rays_;  // reused from frame to frame, as all below
   std::vector<Hit> hits_;
+  std::vector<u8> flags_;
   Frame measured_;
 };
 

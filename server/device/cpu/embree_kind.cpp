@@ -95,13 +95,13 @@ std::shared_ptr<const CpuStructure> build(std::shared_ptr<const Blob> scene, con
 }
 
 template <u32 N>
-void closest(SceneView, const void* structure, const Ray* rays, u64 count, Hit* hits) {
-  closest_hits(embree::Tracer<N, embree::NoRayCount>{scene_of(structure)}, rays, count, hits);
+void closest(const TraceTarget& target, const Ray* rays, u64 count, Hit* hits) {
+  closest_hits(embree::Tracer<N, embree::NoRayCount>{scene_of(target.structure)}, rays, count, hits);
 }
 
 template <u32 N>
-void occluded(SceneView, const void* structure, const Ray* rays, u64 count, u8* out) {
-  any_hits(embree::Tracer<N, embree::NoRayCount>{scene_of(structure)}, rays, count, out);
+void occluded(const TraceTarget& target, const Ray* rays, u64 count, u8* out) {
+  any_hits(embree::Tracer<N, embree::NoRayCount>{scene_of(target.structure)}, rays, count, out);
 }
 
 /// Mode::primary: a block is traced, the triangles that it met are prefetched, and then it is shaded.
@@ -133,25 +133,26 @@ void primary_block(SceneView scene, RTCScene handle, const FrameArgs& args, Tile
 }
 
 template <u32 N>
-void frame(SceneView scene, const void* structure, const FrameArgs& args, Tile tile, Vec3* pixels) {
+void frame(const TraceTarget& target, const FrameArgs& args, Tile tile, Vec3* pixels) {
   if (args.mode == Mode::primary) {
     for (u32 by = tile.y0; by < tile.y1; by += kBlockSide)
       for (u32 bx = tile.x0; bx < tile.x1; bx += kBlockSide)
-        primary_block<N>(scene, scene_of(structure), args, tile, bx, by, pixels);
+        primary_block<N>(target.scene, scene_of(target.structure), args, tile, bx, by, pixels);
     return;
   }
-  embree::Tracer<N, embree::NoRayCount> tracer{scene_of(structure)};
-  shade_tile(tracer, scene, args, tile, [&](u32 x, u32 y, Vec3 color) { pixels[u64{y} * args.width + x] = color; });
+  embree::Tracer<N, embree::NoRayCount> tracer{scene_of(target.structure)};
+  shade_tile<ErrorBoundOffset>(tracer, target.scene, args, tile,
+                               [&](u32 x, u32 y, Vec3 color) { pixels[u64{y} * args.width + x] = color; });
 }
 
 template <u32 N>
-Counts count_frame(SceneView scene, const void* structure, const FrameArgs& args, Tile tile) {
-  embree::Tracer<N, embree::RayCount> tracer{scene_of(structure)};
-  shade_tile(tracer, scene, args, tile, [](u32, u32, Vec3) {});
+Counts count_frame(const TraceTarget& target, const FrameArgs& args, Tile tile) {
+  embree::Tracer<N, embree::RayCount> tracer{scene_of(target.structure)};
+  shade_tile<ErrorBoundOffset>(tracer, target.scene, args, tile, [](u32, u32, Vec3) {});
   return {tracer.count.rays, 0, 0};
 }
 
-void count_rays(SceneView, const void*, const Ray*, u64 count, Counts* counts) {
+void count_rays(const TraceTarget&, const Ray*, u64 count, Counts* counts) {
   for (u64 i = 0; i < count; ++i) counts[i] = {1, 0, 0};
 }
 
@@ -196,7 +197,7 @@ void loop_8(const void* structure, const FrameArgs& args, Tile tile, Hit* hits) 
 /// The traversal in packets of N.
 template <u32 N>
 CpuTraversal intersect_row(std::string_view help) {
-  return {"embree", "intersect", help, closest<N>, occluded<N>, frame<N>, count_frame<N>, count_rays};
+  return {"embree", "intersect", help, 0, closest<N>, occluded<N>, frame<N>, count_frame<N>, count_rays};
 }
 
 }  // namespace

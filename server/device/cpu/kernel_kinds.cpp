@@ -1,5 +1,6 @@
 // The kernels' own kinds on the CPU: one blob each.
 #include "server/device/cpu/cpu_kind.h"
+#include "server/device/knobs.h"
 
 namespace raywalk {
 namespace {
@@ -28,7 +29,7 @@ std::vector<CpuKind> kernel_kinds() {
     CpuKind cpu{{std::string(kind->name), std::string(kind->help), kind->options, {}}, build_blob, kind, {}};
     for (const CpuTraversal& row : cpu_traversals()) {
       if (row.kind != kind->name) continue;
-      cpu.info.traversals.push_back({std::string(row.name), std::string(row.help)});
+      cpu.info.traversals.push_back({std::string(row.name), std::string(row.help), false, knob_options(row.knobs)});
       cpu.traversals.push_back(row);
     }
     all.push_back(std::move(cpu));

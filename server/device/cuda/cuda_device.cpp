@@ -61,6 +61,12 @@ const Kind& kind_of(const std::string& name) {
   throw std::invalid_argument("unknown structure kind " + name);
 }
 
+/// The program with the queries of ray lists.
+KernelSpec ray_kernel(const RayJob& job) {
+  const TraversalType& type = traversal_type(job.structure->kind(), job.traversal);
+  return kernel_spec(type, job.kernel, Program::trace, Mode::primary, 0);
+}
+
 KernelSpec fault_spec() {
   KernelSpec spec;
   spec.program = Program::fault;
@@ -286,8 +292,7 @@ bool CudaDevice::can_count(const std::string& kind) const {
 
 template <class Answer>
 std::vector<Answer> CudaDevice::answers(const RayJob& job, const char* entry) {
-  const TraversalType& type = traversal_type(job.structure->kind(), job.traversal);
-  const KernelSpec spec = kernel_spec(type, job.kernel, Program::trace, Mode::primary, 0);
+  const KernelSpec spec = ray_kernel(job);
   std::vector<Answer> all(job.rays.size());
   if (all.empty()) return all;
   guarded([&] {
@@ -305,6 +310,27 @@ std::vector<Answer> CudaDevice::answers(const RayJob& job, const char* entry) {
     }
   });
   return all;
+}
+
+std::vector<double> CudaDevice::measure_rays(const RayJob& job, RayQuery query, u32 launches) {
+  const bool closest = query == RayQuery::closest;
+  const KernelSpec spec = ray_kernel(job);
+  return guarded([&] {
+    std::vector<double> ms;
+    const u64 count = job.rays.size();
+    if (count == 0) return std::vector<double>(launches, 0.0);
+    Kernel& kernel = kernels_.get(spec, closest ? "closest" : "occluded");
+    const OnDevice data = hold(structure_of(job.structure));
+    const Residency::Scratch rays = memory_->scratch(count * sizeof(Ray));
+    const Residency::Scratch out = memory_->scratch(count * (closest ? sizeof(Hit) : sizeof(u8)));
+    RW_CUDA(context_->driver(), cuMemcpyHtoDAsync, rays.address(), job.rays.data(), count * sizeof(Ray),
+            stream_->get());
+    for (u32 i = 0; i < launches; ++i) {
+      ms.push_back(timed(kernel, {blocks_for(count, spec.block), 1, spec.block}, data.scene.address(),
+                         data.structure.address(), rays.address(), count, out.address()));
+    }
+    return ms;
+  });
 }
 
 std::vector<Hit> CudaDevice::closest(const RayJob& job) {

@@ -35,6 +35,7 @@ class CudaDevice final : public Device {
   bool can_count(const std::string& kind) const override;
   std::vector<Hit> closest(const RayJob& job) override;
   std::vector<u8> occluded(const RayJob& job) override;
+  std::vector<double> measure_rays(const RayJob& job, RayQuery query, u32 launches) override;
 
  private:
   struct OnDevice {

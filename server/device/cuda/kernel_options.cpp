@@ -1,29 +1,17 @@
 // The options' ranges and defaults, and what they mean for the compiler.
 #include "server/device/cuda/kernel_options.h"
 
-#include <algorithm>
-#include <array>
+#include "server/device/knobs.h"
 
 namespace raywalk::cuda {
 namespace {
 
 // What all traversals run best with, or within 2 % of it (H100; tests/gpu/RESULTS.md): left alone, the compiler takes
 // fewer registers than it could for some, and more than leave room for enough threads for others.
-constexpr u32 kBlock = 128, kRegisters = 64, kStackEntries = 4;
-
-/// Ray-triangle tests: their names on the wire, and the types that kernels know them by.
-struct Intersector {
-  std::string_view name, type;
-};
-constexpr std::array kIntersectors = {Intersector{"watertight", "Watertight"},
-                                      Intersector{"moeller-trumbore", "MoellerTrumbore"}};
+constexpr u32 kBlock = 128, kRegisters = 64;
 
 constexpr u32 kWarp = 32, kMaxBlock = 512;
 constexpr u32 kFewestRegisters = 24;  // the assembler silently raises a lower cap to it
-
-bool has_short_stack(const TraversalType& type) {
-  return type.traversal.starts_with("short-stack");
-}
 
 }  // namespace
 
@@ -46,17 +34,7 @@ std::vector<Option> kernel_options(const TraversalType& type) {
                                   .max = kMaxBlock,
                                   .integer = true,
                                   .step = kWarp}};
-  if (has_short_stack(type)) {
-    options.push_back({.name = "stack_entries",
-                       .help = "entries of the short stack",
-                       .default_value = kStackEntries,
-                       .min = 1,
-                       .max = 16,
-                       .integer = true});
-  }
-  Option intersector{.name = "intersector", .help = "ray-triangle test", .integer = true};
-  for (const Intersector& row : kIntersectors) intersector.choices.push_back(row.name);
-  options.push_back(std::move(intersector));
+  for (Option& knob : knob_options(type.knobs)) options.push_back(std::move(knob));
   return options;
 }
 
@@ -64,23 +42,23 @@ KernelSpec kernel_spec(const TraversalType& type, const OptionValues& given, Pro
   const std::string name = std::string(type.structure) + "/" + std::string(type.traversal);
   const Kind kernel{.name = name, .help = type.help, .options = kernel_options(type), .build = nullptr};
   const OptionValues values = with_defaults(kernel, given);
-  const auto value = [&](const char* option, u32 otherwise) {
-    const auto found = values.find(option);
-    return found == values.end() ? otherwise : static_cast<u32>(found->second);
-  };
+  const auto value = [&](const char* option) { return static_cast<u32>(values.at(option)); };
 
   KernelSpec spec;
   spec.program = program;
   spec.traversal = type.type;
-  spec.intersector = kIntersectors[value("intersector", 0)].type;
-  spec.block = value("block", kBlock);
-  spec.registers = value("registers", kRegisters);
+  const Knobs knobs = knobs_of(values);
+  spec.intersector = intersector_rows()[knobs.intersector].type;
+  spec.slab = slab_rows()[knobs.slab].type;
+  spec.stack_entries = knobs.stack_entries;
+  spec.block = value("block");
+  spec.registers = value("registers");
   if (spec.registers != 0 && spec.registers < kFewestRegisters) {
     throw std::invalid_argument(name + " option registers: " + std::to_string(spec.registers) + " is neither 0 nor " +
                                 std::to_string(kFewestRegisters) + " to 255, which is what the assembler can do");
   }
-  spec.stack_entries = value("stack_entries", kStackEntries);
   if (program != Program::trace) {
+    spec.spawn = spawn_rows()[knobs.spawn].type;
     spec.mode = mode;
     spec.features = mode == Mode::whitted ? features : features & ~u32{kFeatureReflection | kFeatureRefraction};
   } else {

@@ -16,7 +16,8 @@ std::string_view name_of(Program program);
 struct KernelSpec {
   Program program = Program::frame;
   std::string traversal;  // a type of kernels/accel/traversals.h
-  std::string intersector = "Watertight";
+  // Types of kernels/knobs.h.
+  std::string intersector = "Watertight", slab = "PaddedSlab", spawn = "ErrorBoundOffset";
   u32 features = kAllFeatures;
   Mode mode = Mode::primary;
   u32 block = 128;        // threads
@@ -24,7 +25,8 @@ struct KernelSpec {
   u32 stack_entries = 4;  // of a short stack
 
   auto operator<=>(const KernelSpec&) const = default;
-  /// Readable and unique, such as "frame BvhWhileWhile Watertight features=3 mode=0 block=128 stack_entries=4".
+  /// Readable and unique, such as "frame BvhWhileWhile Watertight features=3 mode=0 block=128 stack_entries=4"; box
+  /// test and spawn offset where they are not the default.
   std::string name() const;
 };
 

@@ -12,6 +12,7 @@ struct TraversalType {
   std::string_view type;  // KernelSpec::traversal, such as "BvhWhileWhile"
   std::string_view structure, traversal, help;
   u32 group = 1;  // rays that run together
+  u32 knobs = 0;  // kKnobSlab, kKnobStack
 };
 
 /// In the order of RW_TRAVERSALS.

@@ -1,0 +1,26 @@
+// The knobs of kernels/knobs.h as options of a traversal.
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "kernels/accel/kind.h"
+#include "kernels/entry_cpu.h"
+
+namespace raywalk {
+
+/// A row of a list in kernels/knobs.h.
+struct KnobRow {
+  std::string_view type;  // in the kernels
+  std::string_view name;  // on the wire
+};
+const std::vector<KnobRow>& intersector_rows();
+const std::vector<KnobRow>& slab_rows();
+const std::vector<KnobRow>& spawn_rows();
+
+/// intersector; slab and stack_entries where `traversal_knobs` (kKnobSlab, kKnobStack) has them; spawn.
+std::vector<Option> knob_options(u32 traversal_knobs);
+
+/// Defaults for what `options` leaves out; options that are no knobs are left alone.
+Knobs knobs_of(const OptionValues& options);
+
+}  // namespace raywalk
