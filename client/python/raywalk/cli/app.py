@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from raywalk import __version__
-from raywalk.cli import bench, demo, doctor, kernels, render, scenes, structures, study, tables
+from raywalk.cli import bench, compare, demo, doctor, kernels, render, scenes, structures, study, tables
 from raywalk.cli.session import CleanGroup, Settings
 
 app = typer.Typer(
@@ -58,6 +58,7 @@ app.add_typer(scenes.app, name="scenes", help="The catalogue of scenes, and the 
 app.add_typer(structures.app, name="structures", help="Acceleration structures that are resident.")
 app.command()(render.render)
 app.command()(render.walk)
+app.command()(compare.compare_images)
 app.command()(bench.bench)
 app.command()(tables.tables)
 app.command()(demo.demo)
