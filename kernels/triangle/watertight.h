@@ -1,4 +1,4 @@
-// Watertight ray-triangle test: no ray slips between triangles that share an edge or a vertex.
+// Watertight ray-triangle test: no ray slips between triangles that share an edge or a vertex, and none meets two.
 // Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013, with edge functions by Kahan's
 // difference of products, whose sign is exact, so that neighbours agree on a shared edge without a double fallback.
 #pragma once
@@ -34,7 +34,20 @@ struct Watertight {
   }
 };
 
-/// Writes t, u, v and returns true when the line of the ray meets the triangle, edges and vertices included.
+namespace detail {
+
+/// The sign bit of the edge function of p and q, which is zero: the ray runs through the edge. It counts as moved by
+/// (e, e^2) for an infinitely small e, so each edge and each vertex belongs to one of the triangles around it.
+RW_FN u32 sign_on_edge(float px, float py, float qx, float qy) {
+  const bool positive = py > qy || (py == qy && qx > px);
+  return positive ? 0u : 0x80000000u;
+}
+
+}  // namespace detail
+
+/// Writes t, u, v and returns true when the line of the ray meets the triangle. Of triangles that share an edge or a
+/// vertex, the line through it meets as many as if it passed beside it; so at the border of a surface it meets one or
+/// none.
 /// The caller compares t with the interval. Degenerate and non-finite triangles are never met, nor are ones whose
 /// squared extent is no float (below 1e-19 or above 1e19 across).
 RW_FN bool intersect(const Watertight& ray, const Corners& triangle, float& t, float& u, float& v) {
@@ -47,7 +60,13 @@ RW_FN bool intersect(const Watertight& ray, const Corners& triangle, float& t, f
   const float wa = difference_of_products(cx, by, cy, bx);
   const float wb = difference_of_products(ax, cy, ay, cx);
   const float wc = difference_of_products(bx, ay, by, ax);
-  if ((wa < 0.0f || wb < 0.0f || wc < 0.0f) && (wa > 0.0f || wb > 0.0f || wc > 0.0f)) return false;
+  u32 sa = bits_of(wa), sb = bits_of(wb), sc = bits_of(wc);
+  if (wa == 0.0f || wb == 0.0f || wc == 0.0f) {
+    sa = wa == 0.0f ? detail::sign_on_edge(cx, cy, bx, by) : sa;
+    sb = wb == 0.0f ? detail::sign_on_edge(ax, ay, cx, cy) : sb;
+    sc = wc == 0.0f ? detail::sign_on_edge(bx, by, ax, ay) : sc;
+  }
+  if ((((sa ^ sb) | (sa ^ sc)) & 0x80000000u) != 0) return false;
   const float det = wa + wb + wc;
   if (!(magnitude(det) > 0.0f)) return false;  // also drops NaN
   const float inverse = reciprocal(det);
