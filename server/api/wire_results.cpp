@@ -24,7 +24,12 @@ Json to_json(const ErrorFigures& e) {
           {"id_mismatch_ppm_upper95", e.mismatch_ppm_upper95()},
           {"ties", e.ties},
           {"image_rmse", rmse},
-          {"image_psnr_db", rmse > 0 ? Json(-20.0 * std::log10(rmse)) : Json(nullptr)}};
+          {"image_psnr_db", rmse > 0 ? Json(-20.0 * std::log10(rmse)) : Json(nullptr)},
+          {"image_ssim", value_or_null(e.image_ssim())},
+          {"image_flip_mean", value_or_null(e.image_flip_mean())},
+          {"image_flip_p99", value_or_null(e.image_flip_p99())},
+          {"image_flip_max", value_or_null(e.image_flip_max())},
+          {"changed_pixels_ppm", value_or_null(e.changed_pixels_ppm())}};
 }
 
 Json to_json(const SensorRange& range) {
@@ -98,7 +103,8 @@ std::string to_csv(const BenchmarkResult& result) {
   std::ostringstream out;
   out << "scene,structure,traversal,structure_id,mode,median_ms,mean_ms,sd_ms,min_ms,p95_ms,ci95_low_ms,ci95_high_ms,"
          "samples,unstable,mrays_per_s,rays_per_frame,steps_per_ray,tests_per_ray,reference,id_mismatch_ppm,ties,"
-         "image_rmse,options,registers,local_bytes,shared_bytes,occupancy,frames_per_launch,launch_median_ms,"
+         "image_rmse,image_ssim,image_flip_mean,image_flip_p99,image_flip_max,changed_pixels_ppm,options,registers,"
+         "local_bytes,shared_bytes,occupancy,frames_per_launch,launch_median_ms,"
          "launch_mrays_per_s\n";
   out.precision(9);
   const auto number = [](const std::optional<double>& v) { return v ? Json(*v).dump() : std::string(); };
@@ -109,7 +115,9 @@ std::string to_csv(const BenchmarkResult& result) {
         << s.ci95_low << ',' << s.ci95_high << ',' << s.samples << ',' << (s.unstable ? "true" : "false") << ','
         << row.mrays_per_s << ',' << row.rays_per_frame << ',' << number(row.steps_per_ray) << ','
         << number(row.tests_per_ray) << ',' << row.error.reference << ',' << row.error.mismatch_ppm() << ','
-        << row.error.ties << ',' << row.error.image_rmse() << ','
+        << row.error.ties << ',' << row.error.image_rmse() << ',' << number(row.error.image_ssim()) << ','
+        << number(row.error.image_flip_mean()) << ',' << number(row.error.image_flip_p99()) << ','
+        << number(row.error.image_flip_max()) << ',' << number(row.error.changed_pixels_ppm()) << ','
         << row.changed_options.substr(!row.changed_options.empty()) << ',';
     if (const std::optional<KernelFigures>& k = row.kernel) {
       out << k->registers << ',' << k->local_bytes << ',' << k->shared_bytes << ',' << k->occupancy << ',';

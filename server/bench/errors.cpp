@@ -1,10 +1,11 @@
 // Mismatches, ties and image differences.
 #include "server/bench/errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "server/image/srgb.h"
+#include "server/image/metrics.h"
 
 namespace raywalk {
 namespace {
@@ -37,7 +38,31 @@ double ErrorFigures::mismatch_ppm_upper95() const {
 }
 
 double ErrorFigures::image_rmse() const {
-  return channels == 0 ? 0.0 : std::sqrt(squared_error / static_cast<double>(channels));
+  return images == 0 ? 0.0 : std::sqrt(squared_error / (3.0 * static_cast<double>(image_pixels)));
+}
+
+std::optional<double> ErrorFigures::image_ssim() const {
+  return of_images(ssim_sum / static_cast<double>(images));
+}
+
+std::optional<double> ErrorFigures::image_flip_mean() const {
+  return of_images(flip_sum / static_cast<double>(images));
+}
+
+std::optional<double> ErrorFigures::image_flip_p99() const {
+  return of_images(flip_p99);
+}
+
+std::optional<double> ErrorFigures::image_flip_max() const {
+  return of_images(flip_max);
+}
+
+std::optional<double> ErrorFigures::changed_pixels_ppm() const {
+  return of_images(per_million(static_cast<double>(changed_pixels), image_pixels));
+}
+
+std::optional<double> ErrorFigures::of_images(double figure) const {
+  return images == 0 ? std::nullopt : std::optional(figure);
 }
 
 void compare_hits(std::span<const Hit> reference, std::span<const Hit> hits, ErrorFigures& figures) {
@@ -53,14 +78,16 @@ void compare_hits(std::span<const Hit> reference, std::span<const Hit> hits, Err
   figures.pixels += hits.size();
 }
 
-void compare_images(std::span<const float> reference, std::span<const float> image, ErrorFigures& figures) {
-  if (reference.size() != image.size()) throw std::logic_error("images of different sizes were compared");
-  for (std::size_t i = 0; i < image.size(); ++i) {
-    if (bits_of(reference[i]) == bits_of(image[i])) continue;
-    const double difference = double{srgb_encoded(image[i])} - double{srgb_encoded(reference[i])};
-    figures.squared_error += difference * difference;
-  }
-  figures.channels += image.size();
+void compare_images(const Frame& reference, const Frame& image, ErrorFigures& figures) {
+  const ImageMetrics metrics = compare_pictures(reference, image);
+  ++figures.images;
+  figures.image_pixels += metrics.pixels;
+  figures.changed_pixels += metrics.changed_pixels;
+  figures.squared_error += metrics.squared_error;
+  figures.ssim_sum += metrics.ssim;
+  figures.flip_sum += metrics.flip_mean;
+  figures.flip_p99 = std::max(figures.flip_p99, metrics.flip_p99);
+  figures.flip_max = std::max(figures.flip_max, metrics.flip_max);
 }
 
 }  // namespace raywalk

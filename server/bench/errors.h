@@ -1,9 +1,11 @@
 // How far hits and images are from those of a reference.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 
 #include "kernels/ray.h"
+#include "server/device/device.h"
 
 namespace raywalk {
 
@@ -13,21 +15,34 @@ struct ErrorFigures {
   u64 frames = 0;
   u64 pixels = 0;  // whose hits were compared
   u64 id_mismatches = 0;
-  u64 ties = 0;  // another id at a t within 2 ulp: not a mismatch
-  u64 channels = 0;
-  double squared_error = 0;  // of sRGB-encoded values in 0..1
+  u64 ties = 0;    // another id at a t within 2 ulp: not a mismatch
+  u64 images = 0;  // compared; the figures below are of them
+  u64 image_pixels = 0;
+  u64 changed_pixels = 0;    // with another 8-bit value in some channel
+  double squared_error = 0;  // of sRGB-encoded values in 0..1, over all channels
+  double ssim_sum = 0, flip_sum = 0;
+  double flip_p99 = 0, flip_max = 0;  // of the worst image
 
   double mismatch_ppm() const;
   /// Upper end of the one-sided 95 % interval of the rate; 3/N when no mismatch was seen.
   double mismatch_ppm_upper95() const;
   /// 0 when no image was compared.
   double image_rmse() const;
+  /// Means over the images, and a share of all their pixels; none when no image was compared.
+  std::optional<double> image_ssim() const;
+  std::optional<double> image_flip_mean() const;
+  std::optional<double> image_flip_p99() const;
+  std::optional<double> image_flip_max() const;
+  std::optional<double> changed_pixels_ppm() const;
+
+ private:
+  std::optional<double> of_images(double figure) const;
 };
 
 /// Both spans hold the hits of the same rays.
 void compare_hits(std::span<const Hit> reference, std::span<const Hit> hits, ErrorFigures& figures);
 
-/// Linear values of images of the same size.
-void compare_images(std::span<const float> reference, std::span<const float> image, ErrorFigures& figures);
+/// Linear RGB of the same size.
+void compare_images(const Frame& reference, const Frame& image, ErrorFigures& figures);
 
 }  // namespace raywalk

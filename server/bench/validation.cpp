@@ -22,7 +22,7 @@ class ReferenceFrame {
     }
     return hits_.hits;
   }
-  const std::vector<float>& image(BenchMode mode) {
+  const Frame& image(BenchMode mode) {
     Frame& image = images_[mode];
     if (image.pixels.empty()) {
       Subject subject = subject_;
@@ -30,7 +30,7 @@ class ReferenceFrame {
       const FrameJob job = frame_job(spec_, scene_, subject, frame_);
       queue_.run([&](Device& device) { device.render(job, image); });
     }
-    return image.pixels;
+    return image;
   }
 
  private:
@@ -108,7 +108,7 @@ std::vector<Validation> validate(const BenchmarkSpec& spec, const LoadedScene& s
       error.ties += hit_error->second.ties;
       if (subject.mode != BenchMode::trace) {
         queue.run([&](Device& device) { device.render(job, image); });
-        compare_images(reference_frame.image(subject.mode), image.pixels, error);
+        compare_images(reference_frame.image(subject.mode), image, error);
       }
       count_work(subject, job, queue, out[s]);
     }

@@ -37,6 +37,7 @@ def test_job_to_result(daemon: Daemon, soup: str) -> None:
         assert row["error"]["pixels"] == 2 * 64 * 64
         assert row["error"]["id_mismatch_ppm"] < 1000, name
         assert row["error"]["image_rmse"] < 0.05, name
+        check_image_figures(row["mode"], row["error"])
         times = row["frame_ms"]
         assert times["min"] <= times["median"] <= times["p95"] <= times["p99"]
         assert times["ci95_low"] <= times["median"] <= times["ci95_high"]
@@ -52,6 +53,20 @@ def test_job_to_result(daemon: Daemon, soup: str) -> None:
     table = daemon.client.get(f"/v1/results/{done['result']}", headers={"Accept": "text/csv"})
     assert table.headers["content-type"] == "text/csv"
     assert len(list(csv.DictReader(io.StringIO(table.text)))) == len(result["rows"])
+
+
+def check_image_figures(mode: str, error: dict) -> None:
+    names = ("image_ssim", "image_flip_mean", "image_flip_p99", "image_flip_max", "changed_pixels_ppm")
+    ssim, mean, p99, most, changed = (error[name] for name in names)
+    if mode == "trace":
+        assert (ssim, mean, p99, most, changed) == (None,) * 5
+        return
+    assert 0.95 < ssim <= 1
+    assert 0 <= mean <= most <= 1
+    assert p99 <= most
+    assert most > 0 or changed == 0
+    if error["image_rmse"] == 0:
+        assert (ssim, mean, p99, most, changed) == (1, 0, 0, 0, 0)
 
 
 def test_kernel_options_are_checked_when_the_job_is_submitted(daemon: Daemon, soup: str) -> None:

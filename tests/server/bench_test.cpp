@@ -167,14 +167,35 @@ TEST(Errors, UpperBoundFollowsTheRuleOfThree) {
   EXPECT_NEAR(e.mismatch_ppm_upper95(), 16.96, 0.05);
 }
 
+Frame image_of(std::vector<float> pixels) {
+  return {.width = static_cast<u32>(pixels.size() / 3), .height = 1, .channels = 3, .pixels = std::move(pixels)};
+}
+
 TEST(Errors, ImagesAreComparedAsTheyAreSeen) {
   ErrorFigures e;
-  const float black[] = {0, 0, 0}, white[] = {1, 1, 1}, brighter[] = {9, 9, 9};
+  const Frame black = image_of({0, 0, 0}), white = image_of({1, 1, 1}), brighter = image_of({9, 9, 9});
   compare_images(black, white, e);
   EXPECT_DOUBLE_EQ(e.image_rmse(), 1.0);
   ErrorFigures same;
   compare_images(white, brighter, same);  // both are shown as white
-  EXPECT_NEAR(same.image_rmse(), 0.0, 1e-6);
+  EXPECT_EQ(same.image_rmse(), 0.0);
+}
+
+TEST(Errors, OfSeveralImagesAreMeansAndTheWorst) {
+  const Frame black = image_of({0, 0, 0, 0, 0, 0}), white = image_of({1, 1, 1, 1, 1, 1});
+  ErrorFigures e;
+  EXPECT_FALSE(e.image_ssim().has_value());
+  EXPECT_FALSE(e.image_flip_mean().has_value());
+  EXPECT_FALSE(e.changed_pixels_ppm().has_value());
+  compare_images(black, white, e);
+  const double flip = *e.image_flip_max();
+  compare_images(black, black, e);
+  EXPECT_NEAR(e.image_rmse(), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(*e.image_ssim(), 0.50005, 1e-6);
+  EXPECT_NEAR(*e.image_flip_mean(), flip / 2, 1e-6);
+  EXPECT_EQ(*e.image_flip_max(), flip);
+  EXPECT_NEAR(*e.image_flip_p99(), flip, 1e-6);
+  EXPECT_EQ(*e.changed_pixels_ppm(), 5e5);
 }
 
 TEST(Subject, ErrorFramesAreSpreadEvenly) {

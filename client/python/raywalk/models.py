@@ -613,6 +613,26 @@ class ErrorFigures(BaseModel):
     """
     null when the images are identical.
     """
+    image_ssim: float | None = None
+    """
+    Structural similarity of luma (Wang et al. 2004), mean over the frames; null for mode trace.
+    """
+    image_flip_mean: float | None = None
+    """
+    LDR-FLIP at 67 pixels a degree, 0 to 1, mean over the frames; null for mode trace.
+    """
+    image_flip_p99: float | None = None
+    """
+    99th percentile over the pixels of the worst frame; null for mode trace.
+    """
+    image_flip_max: float | None = None
+    """
+    Of the worst pixel; null for mode trace.
+    """
+    changed_pixels_ppm: float | None = None
+    """
+    Pixels with another 8-bit sRGB value; null for mode trace.
+    """
 
 
 class KernelFigures(BaseModel):

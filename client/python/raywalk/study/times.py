@@ -18,7 +18,13 @@ PRINTED_AVERAGES = {
     "shadow": (141, 117, 100, 104),
     "whitted": (193, 113, 100, 142),
 }
-ERRORS = [Column("ids ppm", "worst error"), Column("95 % ≤", "worst error", 1), Column("RMSE", "worst error")]
+ERRORS = [
+    Column("ids ppm", "worst error"),
+    Column("95 % ≤", "worst error", 1),
+    Column("RMSE", "worst error"),
+    Column("FLIP", "worst error"),
+]
+NO_ERRORS: list[Cell] = [""] * len(ERRORS)
 Row = dict[str, float]  # ms by technique
 
 
@@ -53,7 +59,7 @@ def time_table(study: Study, mode: str, letter: str) -> Table:
         ours.append(row)
         if theirs:
             papers.append(theirs)
-            table.rows.append(["  paper", *cells(theirs, mode, techniques), "", "", ""])
+            table.rows.append(["  paper", *cells(theirs, mode, techniques), *NO_ERRORS])
     table.sections.add(len(table.rows))
     add_averages(table, mode, techniques, ours, papers)
     return table
@@ -62,7 +68,7 @@ def time_table(study: Study, mode: str, letter: str) -> Table:
 def add_averages(table: Table, mode: str, techniques: Sequence[str], ours: list[Row], papers: list[Row]) -> None:
     def line(name: str, percents: dict[str, float | int | None]) -> None:
         shown = [cell for one in techniques for cell in ("", percent_text(percents.get(one)))]
-        table.rows.append([name, *shown, "", "", ""])
+        table.rows.append([name, *shown, *NO_ERRORS])
 
     line("average", averages(ours, mode, techniques))
     if papers:
@@ -121,10 +127,12 @@ def worst(result: BenchmarkResult, mode: str) -> list[Cell]:
     """The largest error figures of our techniques."""
     rows = [row for row in result.rows if row.mode == mode and row.structure != "embree"]
     if not rows:
-        return [None, None, None]
+        return [None] * len(ERRORS)
     most: ResultRow = max(rows, key=lambda row: row.error.id_mismatch_ppm_upper95)
     rmse = max(row.error.image_rmse for row in rows)
-    return [f"{most.error.id_mismatch_ppm:.3g}", most.error.id_mismatch_ppm_upper95, f"{rmse:.2g}"]
+    flips = [row.error.image_flip_mean for row in rows if row.error.image_flip_mean is not None]
+    flip = f"{max(flips):.2g}" if flips else None  # older results have none
+    return [f"{most.error.id_mismatch_ppm:.3g}", most.error.id_mismatch_ppm_upper95, f"{rmse:.2g}", flip]
 
 
 def notes(study: Study) -> list[str]:

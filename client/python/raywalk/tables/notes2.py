@@ -65,7 +65,7 @@ def error_note(results: Sequence[BenchmarkResult]) -> list[str]:
     on = "as many frames as column `compared` says" if differing(results, ["compared"]) else count_of(frames, "frame")
     return [
         f"Errors: {', '.join(clauses)}, on {on}: primary rays that hit another triangle (ppm, with the upper end of "
-        "the 95 % interval) and RMSE of sRGB values in 0..1."
+        "the 95 % interval); of the images RMSE of sRGB values in 0..1 and mean FLIP (0 to 1, at 67 pixels a degree)."
     ]
 
 

@@ -75,7 +75,10 @@ def time_record(result: BenchmarkResult, row: ResultRow) -> Record:
         | {"mrays_per_s": row.mrays_per_s, "rays_per_frame": row.rays_per_frame}
         | {"error_reference": error.reference, "error_frames": compared_of(result), "ids_ppm": error.id_mismatch_ppm}
         | {"ids_upper95_ppm": error.id_mismatch_ppm_upper95}
-        | {"image_rmse": None if row.mode == "trace" else error.image_rmse}
+        | {"image_rmse": None if row.mode == "trace" else error.image_rmse, "image_psnr_db": error.image_psnr_db}
+        | {"image_ssim": error.image_ssim, "image_flip_mean": error.image_flip_mean}
+        | {"image_flip_p99": error.image_flip_p99, "image_flip_max": error.image_flip_max}
+        | {"changed_pixels_ppm": error.changed_pixels_ppm}
         | {f"{PAPER_PREFIX}_frame_ms": theirs, f"{PAPER_PREFIX}_percent": share(theirs, their_base)}
         | {"kernel_options": options_text(asked(result.spec, row))}
         | throughput_record(row)

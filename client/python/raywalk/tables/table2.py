@@ -19,7 +19,12 @@ SINGLE = [
     Column("%", "frame"),
     Column("Mrays/s", "", 2),
 ]
-ERRORS = [Column("ids ppm", "error"), Column("95 % ≤", "error", 1), Column("RMSE", "error")]
+ERRORS = [
+    Column("ids ppm", "error"),
+    Column("95 % ≤", "error", 1),
+    Column("RMSE", "error"),
+    Column("FLIP", "error", optional=True),  # older results have none
+]
 PAPERS = [Column("ms", PAPER_DEVICE, 1), Column("%", PAPER_DEVICE)]
 FASTER = Column("faster", PAPER_DEVICE, optional=True)
 GPU_DIGITS = 3  # of a time on a GPU, which is far below a millisecond
@@ -78,7 +83,8 @@ def error_cells(row: ResultRow) -> list[Cell]:
     error = row.error
     ppm = f"{error.id_mismatch_ppm:.3g}"
     rmse = None if row.mode == "trace" else f"{error.image_rmse:.2g}"
-    return [ppm, error.id_mismatch_ppm_upper95, rmse]
+    flip = None if error.image_flip_mean is None else f"{error.image_flip_mean:.2g}"
+    return [ppm, error.id_mismatch_ppm_upper95, rmse, flip]
 
 
 def paper_cells(paper: Paper, mode: str, name: str) -> list[Cell]:
