@@ -26,10 +26,16 @@ KERNEL_TOP = re.compile(r"(frame|frame_.*|rays|rays_.*|entry|entry_.*)\.(h|cpp|c
 ACCEL_TABLES = {"kernels/accel/kinds.cpp", "kernels/accel/traversals.h"}
 
 # Each row of the server includes from the rows below it; inside a row only what PEERS says.
-SERVER_ROWS = [{"main"}, {"http", "api"}, {"bench", "catalog", "store"}, {"device", "scene", "image"}, {"system"}]
+SERVER_ROWS = [
+    {"main"},
+    {"http", "api"},
+    {"accuracy", "bench", "catalog", "store"},
+    {"device", "scene", "image"},
+    {"system"},
+]
 # An image is made of the pixels of a frame, or becomes a scene's texture; a benchmark runs on catalogued scenes and
-# structures.
-PEERS = {("api", "http"), ("image", "device"), ("image", "scene"), ("bench", "catalog")}
+# structures, and the oracle judges its hits.
+PEERS = {("api", "http"), ("image", "device"), ("image", "scene"), ("bench", "catalog"), ("bench", "accuracy")}
 
 # First letters of an angle include -> the units (or files) that may know the library.
 LIBRARIES = {
@@ -46,6 +52,7 @@ LIBRARIES = {
     "cuda": ("server/device/cuda",),
     "nvrtc": ("server/device/cuda",),
     "sqlite3": ("server/store",),
+    "gmp": ("server/accuracy/oracle",),
 }
 
 

@@ -23,6 +23,9 @@ GOOD = {
     "server/http/server.h": '#include "server/catalog/catalog.h"\n',
     "server/catalog/catalog.h": '#include "server/device/device.h"\n',
     "server/device/device.h": '#include "kernels/query.h"\n',
+    "server/accuracy/rate.h": "",
+    "server/accuracy/oracle/exact.h": '#include <gmpxx.h>\n#include "kernels/query.h"\n',
+    "server/bench/errors.h": '#include "server/accuracy/rate.h"\n',
     "server/scene/scene.h": "",
     "tests/kernels/grid.cpp": '#include "kernels/shade/phong.h"\n#include "server/scene/scene.h"\n',
 }
@@ -43,6 +46,8 @@ BAD = [
     ("server/catalog/catalog.h", "#include <nlohmann/json.hpp>", "is for server/api, server/http"),
     ("server/scene/scene.h", "#include <OpenImageIO/imageio.h>", "server/image only"),
     ("server/device/device.h", "#include <cuda.h>", "server/device/cuda only"),
+    ("server/catalog/catalog.h", "#include <gmpxx.h>", "server/accuracy/oracle only"),
+    ("server/device/device.h", '#include "server/accuracy/rate.h"', "server/device may not include server/accuracy"),
     ("server/api/frames.h", '#include "tests/kernels/grid.cpp"', "server/api may not include tests"),
     ("server/api/frames.h", '#include "server.h"', "not written from the root"),
     ("server/api/frames.h", '#include "server/http/gone.h"', "does not exist"),

@@ -25,18 +25,20 @@ constexpr bool is_met(Position p) {
   return p == Position::inside || p == Position::edge || p == Position::vertex;
 }
 
-/// The distances are meaningful only for a triangle that is met or near; they are measured in lengths of d.
+/// Distances are measured in lengths of d.
 struct Crossing {
   Position position = Position::outside;
   /// The line passes an edge within the near radius. Computed in double: within 1e-8 of the radius it may go either
   /// way. Never for a degenerate triangle.
   bool near = false;
-  double radius = 0;  // the near radius, a length
-  /// Of the point where the line meets the plane, rounded once; infinite beyond the floats. NaN when coplanar.
+  bool by_integers = false;  // the filter left something open
+  double radius = 0;         // the near radius, a length
+  /// Of the point where the line meets a triangle that is met, rounded once; infinite beyond the floats, never -0.
   float t = 0;
-  /// The same with an error below 2^-12 ulp of a float.
+  /// The same with an error of at most 2^-12 ulp of a float.
   double precise_t = 0;
-  /// A ray moved by at most the near radius, and rounded by 2 ulps, meets the triangle between these.
+  /// A ray moved by at most the near radius, with its t rounded by up to 2 ulps, meets a triangle that is met or near
+  /// between these.
   double low = 0, high = 0;
 
   bool met() const { return is_met(position); }
@@ -51,13 +53,7 @@ int compare_distances(const Ray& ray, const Corners& a, const Corners& b);
 /// -1, 0 or 1: the order of the exact distance to a triangle that is met, and a finite `bound` such as tmin.
 int compare_distance(const Ray& ray, const Corners& triangle, float bound);
 
-/// |given - t| in ulps of the float nearest to `t`; infinite when `given` is NaN or infinite.
-double ulps_between(float given, double t);
-
-/// How many questions of this thread the filter left to integers since the thread began, and how many there were.
-struct FilterCount {
-  u64 asked = 0, exact = 0;
-};
-FilterCount filter_count();
+/// The distance between neighbouring floats at t, as if their exponents had no upper end.
+double ulp_at(double t);
 
 }  // namespace raywalk::oracle

@@ -31,7 +31,7 @@ struct Occlusion {
   RayClass ray_class = RayClass::strict;  // strict when one strict hit decides, or nothing is near; never tie
 };
 
-/// Safe to ask from several threads at once. Costs microseconds a ray, and 2 seconds a million triangles to make.
+/// Safe to ask from several threads at once.
 class SceneOracle {
  public:
   /// The blob of `scene` must live as long as the oracle. Throws std::bad_alloc.
@@ -46,8 +46,35 @@ class SceneOracle {
   Judgement judge_occluded(const Ray& ray, bool given) const;
 
  private:
+  /// A triangle that a ray within the near radius may meet inside the interval.
+  struct Candidate {
+    u32 id;
+    Crossing crossing;
+    bool counts;  // met inside the interval, by the exact distance
+    bool sure;    // and no rounding takes it out of the interval
+
+    bool strict() const { return sure && crossing.position == Position::inside && !crossing.near; }
+    bool on_boundary() const { return crossing.position != Position::inside && crossing.position != Position::outside; }
+  };
+  struct Survey {
+    std::vector<Candidate> candidates;
+    u32 closest = kMiss;  // place of the exact closest hit among them
+  };
   SceneView scene_;
   BeamTree tree_;
+
+  const Corners& triangle(u32 id) const { return scene_.corners()[id]; }
+  /// Appends the triangle if it is a candidate; true if so.
+  bool consider(const Ray& ray, u32 id, std::vector<Candidate>& candidates) const;
+  /// All candidates that are not clearly behind the closest hit.
+  Survey survey_front(const Ray& ray) const;
+  /// All candidates in the interval.
+  Survey survey_all(const Ray& ray) const;
+  static RayClass class_of(const Survey& survey);
+  static RayClass class_of_occlusion(const std::vector<Candidate>& candidates);
+  Verdict verdict(const Ray& ray, const Hit& given) const;
+  /// On an answer that passes all that counts and lies clearly before `end`.
+  Verdict verdict_on_passing(const Ray& ray, const Survey& survey, double end) const;
 };
 
 }  // namespace raywalk::oracle
