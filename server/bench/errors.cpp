@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "server/accuracy/rate.h"
 #include "server/image/metrics.h"
 
 namespace raywalk {
@@ -19,10 +20,6 @@ bool is_tie(const Hit& a, const Hit& b) {
   return high - low <= kTieUlps;
 }
 
-double per_million(double count, u64 of) {
-  return of == 0 ? 0.0 : 1e6 * count / static_cast<double>(of);
-}
-
 }  // namespace
 
 double ErrorFigures::mismatch_ppm() const {
@@ -30,11 +27,7 @@ double ErrorFigures::mismatch_ppm() const {
 }
 
 double ErrorFigures::mismatch_ppm_upper95() const {
-  if (id_mismatches == 0) return per_million(3.0, pixels);
-  // Wilson and Hilferty's approximation of the Poisson limit.
-  const double k = static_cast<double>(id_mismatches) + 1.0;
-  const double root = 1.0 - 1.0 / (9.0 * k) + 1.645 / (3.0 * std::sqrt(k));
-  return smaller(static_cast<float>(per_million(k * root * root * root, pixels)), 1e6f);
+  return upper95_ppm(id_mismatches, pixels);
 }
 
 double ErrorFigures::image_rmse() const {
