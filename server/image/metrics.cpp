@@ -30,13 +30,15 @@ bool is_changed(const Encoded& a, const Encoded& b) {
                      [](float x, float y) { return std::lround(255.0f * x) == std::lround(255.0f * y); });
 }
 
-/// Fills `luma`; gives what is summed over single pixels.
+/// Fills `luma` where SSIM has something to compare, else it stays 0; gives what is summed over single pixels.
 ImageMetrics compare_pixels(const Frame& reference, const Frame& image, Luma& luma) {
   const u64 pixels = u64{image.width} * image.height;
   luma.reference.resize(pixels);
   luma.image.resize(pixels);
   std::vector<ImageMetrics> parts(strip_count(image.height));
-  for_strips(image.height, 0, [&](const Strip& strip, u32 number) {
+  // A strip's luma is looked at from the strips beside it, by their differing pixels and those close to them.
+  for_strips(image.height, kStripRows + kSsimReach, [&](const Strip& strip, u32 number) {
+    if (is_same(strip, reference.pixels, image.pixels, std::size_t{3} * image.width, image.height)) return;
     ImageMetrics part;
     for (u64 i = u64{strip.begin} * image.width; i < u64{strip.end} * image.width; ++i) {
       Encoded a, b;

@@ -8,7 +8,6 @@
 namespace raywalk {
 namespace {
 
-constexpr u32 kRadius = 5;
 constexpr float kC1 = 0.01f * 0.01f, kC2 = 0.03f * 0.03f;
 // Variances do not know of a shift; it keeps squares small, and with them what is lost in their differences.
 constexpr float kShift = 0.5f;
@@ -20,12 +19,13 @@ struct Moments {
 };
 
 Moments load(std::span<const float> xs, std::span<const float> ys, u32 width, u32 height, const Strip& strip) {
-  const Plane empty(width, strip.loaded_rows(), kRadius);
+  const Plane empty(width, strip.loaded_rows(), kSsimReach);
   Moments m{empty, empty, empty, empty};
   for (u32 i = 0; i < strip.loaded_rows(); ++i) {
     const std::size_t first = std::size_t{strip.source_row(i, height)} * width;
-    float *x = m.x.row(i) + kRadius, *squares = m.squares.row(i) + kRadius;
-    float *difference = m.difference.row(i) + kRadius, *squared_difference = m.squared_difference.row(i) + kRadius;
+    float *x = m.x.row(i) + kSsimReach, *squares = m.squares.row(i) + kSsimReach;
+    float* difference = m.difference.row(i) + kSsimReach;
+    float* squared_difference = m.squared_difference.row(i) + kSsimReach;
     for (u32 column = 0; column < width; ++column) {
       const float a = xs[first + column] - kShift, b = ys[first + column] - kShift, d = a - b;
       x[column] = a;
@@ -39,8 +39,8 @@ Moments load(std::span<const float> xs, std::span<const float> ys, u32 width, u3
 }
 
 double strip_sum(const Moments& m) {
-  static const Taps taps = gaussian_taps(1.5, kRadius);
-  const auto local = [](const Plane& plane) { return filtered_down(filtered_across(plane, taps), taps, kRadius); };
+  static const Taps taps = gaussian_taps(1.5, kSsimReach);
+  const auto local = [](const Plane& plane) { return filtered_down(filtered_across(plane, taps), taps, kSsimReach); };
   const Plane x = local(m.x), squares = local(m.squares), difference = local(m.difference);
   const Plane squared_difference = local(m.squared_difference);
   double sum = 0;
@@ -63,7 +63,7 @@ double strip_sum(const Moments& m) {
 
 double mean_ssim(std::span<const float> reference_luma, std::span<const float> luma, u32 width, u32 height) {
   std::vector<double> sums(strip_count(height));
-  for_strips(height, kRadius, [&](const Strip& strip, u32 number) {
+  for_strips(height, kSsimReach, [&](const Strip& strip, u32 number) {
     sums[number] = is_same(strip, reference_luma, luma, width, height)
                        ? static_cast<double>(width) * strip.rows()
                        : strip_sum(load(reference_luma, luma, width, height, strip));

@@ -138,8 +138,8 @@ TEST(ImageMetrics, LessThanALevelChangesNoPixel) {
 
 TEST(ImageMetrics, OfASinglePixelWhereverItIs) {
   const Frame grey = uniform(256, 256, 0.2f);
-  double mean = 0;
-  for (const u32 y : {30u, 63u, 64u, 140u}) {  // strips of rows are computed apart
+  double flip_mean = 0, ssim = 0;
+  for (const u32 y : {30u, 63u, 64u, 68u, 130u, 150u}) {  // strips of rows are computed apart
     Frame other = grey;
     paint(other, 100, y, {1, 0, 0});
     const ImageMetrics m = compare_pictures(grey, other);
@@ -147,8 +147,13 @@ TEST(ImageMetrics, OfASinglePixelWhereverItIs) {
     EXPECT_NEAR(m.flip_max, 0.23841, 1e-4);  // as flip-evaluator has it
     EXPECT_EQ(m.flip_p99, 0.0) << "21 x 21 pixels at most are less than a hundredth";
     EXPECT_LT(m.flip_mean, 441.0 / 65536);
-    if (mean == 0) mean = m.flip_mean;
-    EXPECT_NEAR(m.flip_mean, mean, 1e-9);
+    if (y == 30) {
+      flip_mean = m.flip_mean;
+      ssim = m.ssim;
+    }
+    EXPECT_LT(m.ssim, 1.0);
+    EXPECT_NEAR(m.ssim, ssim, 1e-9);
+    EXPECT_NEAR(m.flip_mean, flip_mean, 1e-9);
   }
 }
 
