@@ -40,10 +40,10 @@ TEST(UlpHistogram, ExtremesAndNothing) {
 
 TEST(Figures, CountByClassAndVerdict) {
   Figures figures;
-  figures.add({Verdict::right, RayClass::strict, 0.5});
-  figures.add({Verdict::right, RayClass::near, {}});
-  figures.add({Verdict::leak, RayClass::near, {}});
-  figures.add({Verdict::tie, RayClass::tie, {}});
+  figures.add({Verdict::right, RayClass::strict, 0.5, true});
+  figures.add({Verdict::right, RayClass::near, 1e9});
+  figures.add({.verdict = Verdict::leak, .ray_class = RayClass::near});
+  figures.add({.verdict = Verdict::tie, .ray_class = RayClass::tie});
   Figures sum;
   sum.add(figures);
   sum.add(figures);
@@ -51,7 +51,8 @@ TEST(Figures, CountByClassAndVerdict) {
   EXPECT_EQ(sum.count(Verdict::right), 4u);
   EXPECT_EQ(sum.count(RayClass::near), 4u);
   EXPECT_EQ(sum.wrong(), 2u);
-  EXPECT_EQ(sum.t_ulps.count(), 2u);
+  EXPECT_EQ(sum.t_ulps.count(), 4u);
+  EXPECT_EQ(sum.well_conditioned_t_ulps.count(), 2u);
   EXPECT_STREQ(name_of(Verdict::false_hit), "false_hit");
   EXPECT_STREQ(name_of(RayClass::boundary), "boundary");
 }

@@ -76,6 +76,9 @@ TEST(Verdicts, ErrorOfT) {
   EXPECT_EQ(ulps(10.0f - 0x1p-17f), 8.0);
   EXPECT_EQ(ulps(kNan), std::numeric_limits<double>::infinity());
   EXPECT_FALSE(judge.oracle().judge(down(3, 1), {11, 2, 0, 0}).t_ulps);
+  EXPECT_TRUE(judge.oracle().judge(down(3, 1), {10, 0, 0, 0}).well_conditioned);
+  EXPECT_FALSE(judge.oracle().judge(test::ray_towards({-90, 1, 1}, {3, 1, 0}), {1, 0, 0, 0}).well_conditioned);
+  EXPECT_FALSE(judge.oracle().judge({{3, 1, 0.5f}, 0, {0, 0, -1}, 1}, {0.5f, 0, 0, 0}).well_conditioned);
   EXPECT_FALSE(judge.oracle().judge(down(6, 1), {100, kMiss, 0, 0}).t_ulps);
 }
 
@@ -209,6 +212,17 @@ TEST(Verdicts, AMissingTriangleOpensTheFan) {
   EXPECT_EQ(Judge(fan(false)).of_miss(down(0.5f, 1)), Verdict::leak);
 }
 
+TEST(Verdicts, DegenerateTrianglesSealNothing) {
+  Mesh mesh = quad(0);
+  mesh.push_back(test::triangle({5, 5, 0}, {5, 5, 1}, {5, 5, -1}));  // along the ray
+  mesh.push_back(test::triangle({5, 5, 0}, {5, 5, 0}, {5, 5, 0}));
+  mesh.push_back(test::triangle({5, 5, 0}, {5, 5, 0}, {9, 9, 0}));
+  const Judge judge(mesh);
+  EXPECT_EQ(judge.of_miss(down(5, 5)), Verdict::boundary);
+  EXPECT_EQ(judge.of(down(5, 5), 2, 10), Verdict::wrong_id);
+  EXPECT_EQ(judge.of(down(6, 6), 4, 10), Verdict::false_hit);
+}
+
 TEST(Verdicts, ARiserSeenFromAboveJoinsTwoSteps) {
   // Steps at z = 1 (x < 0) and z = 0 (x > 0), and the vertical riser between them.
   const Mesh mesh = {
@@ -256,7 +270,7 @@ TEST(Verdicts, TellAWatertightTestFromALeakyOne) {
   EXPECT_EQ(watertight.rays(), 2000u);
   EXPECT_GT(leaky.count(Verdict::leak), 100u);
   EXPECT_EQ(leaky.wrong(), leaky.count(Verdict::leak));
-  EXPECT_LE(watertight.t_ulps.percentile(0.5), 2.0);
+  EXPECT_LE(watertight.well_conditioned_t_ulps.percentile(0.5), 2.0);
 }
 
 }  // namespace

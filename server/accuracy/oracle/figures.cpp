@@ -55,7 +55,9 @@ double UlpHistogram::percentile(double fraction) const {
 
 void Figures::add(const Judgement& judgement) {
   ++counts[static_cast<u32>(judgement.ray_class)][static_cast<u32>(judgement.verdict)];
-  if (judgement.t_ulps) t_ulps.add(*judgement.t_ulps);
+  if (!judgement.t_ulps) return;
+  t_ulps.add(*judgement.t_ulps);
+  if (judgement.well_conditioned) well_conditioned_t_ulps.add(*judgement.t_ulps);
 }
 
 void Figures::add(const Figures& other) {
@@ -63,6 +65,7 @@ void Figures::add(const Figures& other) {
     for (u32 v = 0; v < kVerdicts; ++v) counts[c][v] += other.counts[c][v];
   }
   t_ulps.add(other.t_ulps);
+  well_conditioned_t_ulps.add(other.well_conditioned_t_ulps);
 }
 
 u64 Figures::rays() const {

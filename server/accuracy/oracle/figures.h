@@ -30,7 +30,8 @@ class UlpHistogram {
 
 struct Figures {
   std::array<std::array<u64, kVerdicts>, kRayClasses> counts{};  // [class][verdict]
-  UlpHistogram t_ulps;
+  UlpHistogram t_ulps;                                           // of all right hits
+  UlpHistogram well_conditioned_t_ulps;  // of those where it says something about the arithmetic
 
   void add(const Judgement& judgement);
   void add(const Figures& other);

@@ -36,6 +36,9 @@ constexpr u32 kRayClasses = 4;
 enum class Verdict : u8 { right, tie, boundary, near, leak, false_miss, wrong_id, false_hit };
 constexpr u32 kVerdicts = 8;
 
+/// About 3.5 times what a triangle shows that is met head-on and reaches no farther than the hit.
+constexpr double kWell = 0x1p-17;
+
 /// Right, or as good as float32 arithmetic can tell.
 constexpr bool is_acceptable(Verdict v) {
   return v <= Verdict::near;
@@ -48,6 +51,9 @@ struct Judgement {
   RayClass ray_class = RayClass::strict;
   /// Error of the given t, in ulps of the exact one; none unless E was given. Infinite for NaN.
   std::optional<double> t_ulps{};
+  /// The exact t changes by less than kWell of itself when the ray is moved by the near radius: it is not much smaller
+  /// than the distance to the farthest vertex, and the triangle not slanted much. Only with t_ulps.
+  bool well_conditioned = false;
 };
 
 }  // namespace raywalk::oracle

@@ -113,6 +113,7 @@ Answer SceneOracle::closest(const Ray& ray) const {
   const Candidate& first = survey.candidates[survey.closest];
   answer.hit = {first.crossing.t, first.id, 0.0f, 0.0f};
   answer.precise_t = first.crossing.precise_t;
+  answer.well_conditioned = first.crossing.high - first.crossing.low < 2.0 * kWell * std::abs(answer.precise_t);
   for (const Candidate& candidate : survey.candidates) {
     if (candidate.counts && is_tie(first.crossing, candidate.crossing)) {
       answer.ties.push_back({candidate.id, candidate.crossing.position});
@@ -139,11 +140,12 @@ Occlusion SceneOracle::occluded(const Ray& ray) const {
 
 Judgement SceneOracle::judge(const Ray& ray, const Hit& given) const {
   const Answer answer = closest(ray);
-  if (given.id != answer.hit.id) return {verdict(ray, given), answer.ray_class};
+  if (given.id != answer.hit.id) return {.verdict = verdict(ray, given), .ray_class = answer.ray_class};
   Judgement result{Verdict::right, answer.ray_class};
   if (answer.is_hit()) {
     const double error = std::abs(double{given.t} - answer.precise_t) / ulp_at(answer.precise_t);
     result.t_ulps = is_finite(given.t) ? error : kInfinity;
+    result.well_conditioned = answer.well_conditioned;
   }
   return result;
 }

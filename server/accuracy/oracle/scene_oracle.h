@@ -17,7 +17,8 @@ struct IdAtPosition {
 struct Answer {
   /// t as rounded once, with the lowest id of those at this float. kMiss and tmax without a hit; u and v are 0.
   Hit hit{};
-  double precise_t = 0;  // the same with an error below 2^-12 ulp; meaningful with a hit
+  double precise_t = 0;           // the same with an error of at most 2^-12 ulp; meaningful with a hit
+  bool well_conditioned = false;  // as in Judgement
   /// By id: all triangles met inside the interval at most kTieUlps behind the first, hit.id among them. Empty for a
   /// miss.
   std::vector<IdAtPosition> ties;

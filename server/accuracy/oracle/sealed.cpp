@@ -88,7 +88,13 @@ double width_of(const Shadow& s) {
   return longest > 0.0 ? cross(ab, bc) / longest : 0.0;
 }
 
+/// Seen from its edge, or degenerate, a triangle covers nothing.
+bool is_thin(const Shadow& shadow) {
+  return std::abs(width_of(shadow)) <= kTolerance;
+}
+
 bool covers(const Shadow& shadow, Point p) {
+  if (is_thin(shadow)) return false;
   const double winding = width_of(shadow) < 0.0 ? -1.0 : 1.0;
   for (u32 i = 0; i < 3; ++i) {
     const Point from = shadow.corner[i], side = shadow.corner[(i + 1) % 3] - from;
@@ -145,7 +151,7 @@ bool is_sealed(const Ray& ray, u32 id, double radius, double end, SceneView scen
   };
   bool any_edge = false;
   for (const Shadow& shadow : surface) {
-    if (std::abs(width_of(shadow)) <= kTolerance) continue;  // seen from its edge, it covers nothing
+    if (is_thin(shadow)) continue;
     for (u32 i = 0; i < 3; ++i) {
       const Point from = shadow.corner[i], side = shadow.corner[(i + 1) % 3] - from;
       const Part part = part_within(from, shadow.corner[(i + 1) % 3], 1.0);
