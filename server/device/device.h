@@ -171,6 +171,8 @@ class Device {
   virtual bool can_count(const std::string& kind) const = 0;
   /// Invalid rays miss.
   virtual std::vector<Hit> closest(const RayJob& job) = 0;
+  /// Work of each ray's closest hit; only `rays` where the technique cannot count.
+  virtual std::vector<Counts> count_rays(const RayJob& job) = 0;
   /// 1 where the ray is occluded.
   virtual std::vector<u8> occluded(const RayJob& job) = 0;
   /// Traces the list `launches` times and keeps no answer. The time in ms of each, without transfers and whatever a

@@ -66,7 +66,11 @@ class FakeDevice : public Device {
   }
   bool can_count(const std::string& kind) const override { return kind != "embree"; }
   std::vector<Hit> closest(const RayJob& job) override { return std::vector<Hit>(job.rays.size()); }
+  std::vector<Counts> count_rays(const RayJob& job) override { return std::vector<Counts>(job.rays.size()); }
   std::vector<u8> occluded(const RayJob& job) override { return std::vector<u8>(job.rays.size()); }
+  std::vector<double> measure_rays(const RayJob&, RayQuery, u32 launches) override {
+    return std::vector<double>(launches, 1.0);
+  }
 
   std::atomic<int> builds{0};
   std::chrono::milliseconds build_time{0};

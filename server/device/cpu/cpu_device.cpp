@@ -102,6 +102,11 @@ class CpuDevice final : public Device {
     trace(job, &CpuTraversal::closest, hits);
     return hits;
   }
+  std::vector<Counts> count_rays(const RayJob& job) override {
+    std::vector<Counts> counts;
+    trace(job, &CpuTraversal::count_rays, counts);
+    return counts;
+  }
   std::vector<u8> occluded(const RayJob& job) override {
     std::vector<u8> flags;
     trace(job, &CpuTraversal::occluded, flags);

@@ -61,10 +61,10 @@ const Kind& kind_of(const std::string& name) {
   throw std::invalid_argument("unknown structure kind " + name);
 }
 
-/// The program with the queries of ray lists.
-KernelSpec ray_kernel(const RayJob& job) {
+/// Program::trace or Program::count for ray lists.
+KernelSpec ray_kernel(const RayJob& job, Program program) {
   const TraversalType& type = traversal_type(job.structure->kind(), job.traversal);
-  return kernel_spec(type, job.kernel, Program::trace, Mode::primary, 0);
+  return kernel_spec(type, job.kernel, program, Mode::primary, 0);
 }
 
 KernelSpec fault_spec() {
@@ -291,8 +291,8 @@ bool CudaDevice::can_count(const std::string& kind) const {
 }
 
 template <class Answer>
-std::vector<Answer> CudaDevice::answers(const RayJob& job, const char* entry) {
-  const KernelSpec spec = ray_kernel(job);
+std::vector<Answer> CudaDevice::answers(const RayJob& job, Program program, const char* entry) {
+  const KernelSpec spec = ray_kernel(job, program);
   std::vector<Answer> all(job.rays.size());
   if (all.empty()) return all;
   guarded([&] {
@@ -314,7 +314,7 @@ std::vector<Answer> CudaDevice::answers(const RayJob& job, const char* entry) {
 
 std::vector<double> CudaDevice::measure_rays(const RayJob& job, RayQuery query, u32 launches) {
   const bool closest = query == RayQuery::closest;
-  const KernelSpec spec = ray_kernel(job);
+  const KernelSpec spec = ray_kernel(job, Program::trace);
   return guarded([&] {
     std::vector<double> ms;
     const u64 count = job.rays.size();
@@ -334,10 +334,13 @@ std::vector<double> CudaDevice::measure_rays(const RayJob& job, RayQuery query, 
 }
 
 std::vector<Hit> CudaDevice::closest(const RayJob& job) {
-  return answers<Hit>(job, "closest");
+  return answers<Hit>(job, Program::trace, "closest");
 }
 std::vector<u8> CudaDevice::occluded(const RayJob& job) {
-  return answers<u8>(job, "occluded");
+  return answers<u8>(job, Program::trace, "occluded");
+}
+std::vector<Counts> CudaDevice::count_rays(const RayJob& job) {
+  return answers<Counts>(job, Program::count, "count_rays");
 }
 
 }  // namespace raywalk::cuda

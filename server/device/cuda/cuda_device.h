@@ -34,6 +34,7 @@ class CudaDevice final : public Device {
   Counts count(const FrameJob& job) override;
   bool can_count(const std::string& kind) const override;
   std::vector<Hit> closest(const RayJob& job) override;
+  std::vector<Counts> count_rays(const RayJob& job) override;
   std::vector<u8> occluded(const RayJob& job) override;
   std::vector<double> measure_rays(const RayJob& job, RayQuery query, u32 launches) override;
 
@@ -60,7 +61,7 @@ class CudaDevice final : public Device {
   template <class... Arguments>
   double timed(Kernel& kernel, const Grid& grid, const Arguments&... arguments);
   template <class Answer>
-  std::vector<Answer> answers(const RayJob& job, const char* entry);
+  std::vector<Answer> answers(const RayJob& job, Program program, const char* entry);
 
   std::shared_ptr<const Context> context_;
   std::shared_ptr<const Stream> stream_;
