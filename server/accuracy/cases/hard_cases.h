@@ -27,10 +27,15 @@ struct CaseOutcome {
   std::string title;
   Technique technique;
   u64 rays = 0, failures = 0;
+  u64 nans = 0;               // hits that hold a NaN: wrong whatever the technique
   std::string first_failure;  // the ray and the triangle as hex floats, shrunk; empty when all was right
   std::string why_not;        // why the case says nothing of this technique; empty when it ran
   double ms = 0;
 };
+
+/// Every structure with every traversal and every triangle test of the device, the other knobs at their defaults; no
+/// bare loops.
+std::vector<Technique> techniques_of(const Device& device);
 
 /// Strict cases only hold for the strict knobs: of others the outcome is a figure, not a verdict.
 bool is_strict(const Technique& technique);
