@@ -7,7 +7,10 @@
 /// Ray-triangle tests, kernels/triangle.
 #define RW_INTERSECTORS(X)                                                                                       \
   X(Watertight, "watertight", "sheared, exact signs: no leaks, each edge counts once (Woop et al. 2013, Kahan)") \
-  X(MoellerTrumbore, "moeller-trumbore", "the usual fast one, leaks at edges (Moeller and Trumbore 1997)")
+  X(MoellerTrumbore, "moeller-trumbore", "the usual fast one, leaks at edges (Moeller and Trumbore 1997)")       \
+  X(Exact, "exact", "a filter in float, then double, then exact sums: hit and miss without any error")           \
+  X(MoellerTrumboreDouble, "double", "Moeller and Trumbore in double precision")                                 \
+  X(BaldwinWeber, "baldwin-weber", "by precomputed transforms (2016), for structures of triangles=transforms")
 
 /// Ray-box tests of the BVH, kernels/accel/slab.h. Grid and kd-tree pad their triangles instead.
 #define RW_SLAB_TESTS(X)                                                             \

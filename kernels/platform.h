@@ -1,12 +1,15 @@
 // The only file that asks "host or device": qualifiers, fixed-width types and the math both sides share bit for bit.
+// RW_FN stands before every function; RW_SLOW_FN before one that is seldom called and stays out of line.
 #pragma once
 
 #if defined(__CUDACC__)
 #define RW_GPU 1
 #define RW_FN __device__ __forceinline__
+#define RW_SLOW_FN static __device__ __noinline__
 #else
 #define RW_GPU 0
 #define RW_FN inline __attribute__((always_inline))
+#define RW_SLOW_FN inline __attribute__((noinline))
 #endif
 
 namespace raywalk {
@@ -25,6 +28,9 @@ constexpr bool kCompiledForScene = RW_GPU != 0;
 #if RW_GPU
 RW_FN float fma(float a, float b, float c) {
   return __fmaf_rn(a, b, c);
+}
+RW_FN double fma(double a, double b, double c) {
+  return __fma_rn(a, b, c);
 }
 RW_FN float square_root(float a) {
   return __fsqrt_rn(a);
@@ -45,6 +51,9 @@ RW_FN float float_of(u32 a) {
 #else
 RW_FN float fma(float a, float b, float c) {
   return __builtin_fmaf(a, b, c);
+}
+RW_FN double fma(double a, double b, double c) {
+  return __builtin_fma(a, b, c);
 }
 RW_FN float square_root(float a) {
   return __builtin_sqrtf(a);
@@ -88,6 +97,12 @@ RW_FN u32 larger(u32 a, u32 b) {
 }
 RW_FN float magnitude(float a) {
   return float_of(bits_of(a) & 0x7fffffffu);
+}
+RW_FN double magnitude(double a) {
+  return a < 0.0 ? -a : a;
+}
+RW_FN double larger(double a, double b) {
+  return a > b ? a : b;
 }
 RW_FN bool is_finite(float a) {
   return (bits_of(a) & 0x7f800000u) != 0x7f800000u;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernels/accel/records.h"
 #include "kernels/blob_writer.h"
 #include "kernels/scene_view.h"
 
@@ -35,9 +36,15 @@ struct BuildStats {
   double build_ms = 0;
 };
 
+/// What a kernel must be compiled for to read a structure.
+struct StructureForm {
+  TriangleRecords triangles = TriangleRecords::corners;
+};
+
 struct BuiltStructure {
   Blob blob;
   BuildStats stats;
+  StructureForm form;
 };
 
 struct Kind {

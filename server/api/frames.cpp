@@ -45,6 +45,7 @@ FrameJob make_job(Services& s, const Json& q) {
   }
   job.traversal = traversal.name;
   job.kernel = complete_options(kind, traversal, parse_options(q.value("kernel", Json::object())), "/kernel");
+  check_form(job.structure->form(), job.kernel, "/kernel/intersector");
   job.camera = parse_camera(q.value("camera", Json()), *scene);
   job.width = q.at("width");
   job.height = q.at("height");

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "kernels/accel/build_records.h"
+#include "server/device/knobs.h"
 #include "server/system/refusal.h"
 
 namespace raywalk {
@@ -102,6 +104,15 @@ OptionValues complete_options(const KindInfo& kind, const GivenOptions& given, c
 OptionValues complete_options(const KindInfo& kind, const TraversalInfo& traversal, const GivenOptions& given,
                               const std::string& pointer) {
   return complete_options(traversal.options, kind.name + "/" + traversal.name, given, pointer);
+}
+
+StructureForm form_of(const OptionValues& options) {
+  return {options.contains("triangles") ? triangles_of(options) : TriangleRecords::corners};
+}
+
+void check_form(const StructureForm& form, const OptionValues& kernel, const std::string& pointer) {
+  const std::string why = why_unfit(form, kernel);
+  if (!why.empty()) throw Refusal(Refusal::Why::invalid, "unfit_structure", why).at(pointer);
 }
 
 GivenOption shown_option(const Option& option, double value) {

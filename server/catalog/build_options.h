@@ -28,6 +28,11 @@ OptionValues complete_options(const KindInfo& kind, const GivenOptions& given, c
 OptionValues complete_options(const KindInfo& kind, const TraversalInfo& traversal, const GivenOptions& given,
                               const std::string& pointer);
 
+/// The form of a structure that is built with these complete options.
+StructureForm form_of(const OptionValues& options);
+/// Throws Refusal unfit_structure at `pointer` when a traversal with these kernel options cannot use that form.
+void check_form(const StructureForm& form, const OptionValues& kernel, const std::string& pointer);
+
 /// The option as a request would give it.
 GivenOption shown_option(const Option& option, double value);
 /// Those of the complete `values` that are not the default, as " name=value" each; empty when there are none.

@@ -39,6 +39,8 @@ class Structure {
   virtual ~Structure() = default;
   virtual const std::string& kind() const = 0;
   virtual const BuildStats& stats() const = 0;
+  /// Only traversals whose knobs go with it can use the structure (see `check_form` in knobs.h).
+  virtual StructureForm form() const { return {}; }
 };
 
 enum class Output { color, depth, normal, id, steps };

@@ -21,6 +21,15 @@ Option choice(std::string_view name, std::string_view help, const std::vector<Kn
   return option;
 }
 
+/// What each intersector reads.
+#define RW_KNOB_RECORDS(type, name, help) kRecords<RecordOf<type>::Type>,
+constexpr TriangleRecords kIntersectorRecords[] = {RW_INTERSECTORS(RW_KNOB_RECORDS)};
+#undef RW_KNOB_RECORDS
+
+const char* name_of(TriangleRecords records) {
+  return records == TriangleRecords::corners ? "corners" : "transforms";
+}
+
 }  // namespace
 
 const std::vector<KnobRow>& intersector_rows() {
@@ -63,6 +72,19 @@ Knobs knobs_of(const OptionValues& options) {
   take("spawn", knobs.spawn);
   take("stack_entries", knobs.stack_entries);
   return knobs;
+}
+
+std::string why_unfit(const StructureForm& form, const OptionValues& options) {
+  const u32 intersector = knobs_of(options).intersector;
+  const TriangleRecords read = kIntersectorRecords[intersector];
+  if (read == form.triangles) return "";
+  return "The intersector " + std::string(intersector_rows()[intersector].name) + " reads " + name_of(read) +
+         ", and the structure was built with triangles=" + name_of(form.triangles) + ".";
+}
+
+void check_form(const Structure& structure, const OptionValues& options) {
+  const std::string why = why_unfit(structure.form(), options);
+  if (!why.empty()) throw std::invalid_argument(structure.kind() + ": " + why);
 }
 
 }  // namespace raywalk

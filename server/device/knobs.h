@@ -5,6 +5,7 @@
 
 #include "kernels/accel/kind.h"
 #include "kernels/entry_cpu.h"
+#include "server/device/device.h"
 
 namespace raywalk {
 
@@ -22,5 +23,10 @@ std::vector<Option> knob_options(u32 traversal_knobs);
 
 /// Defaults for what `options` leaves out; options that are no knobs are left alone.
 Knobs knobs_of(const OptionValues& options);
+
+/// Why a traversal with these options cannot use a structure of that form, as a sentence; empty when it can.
+std::string why_unfit(const StructureForm& form, const OptionValues& options);
+/// Throws std::invalid_argument for that reason.
+void check_form(const Structure& structure, const OptionValues& options);
 
 }  // namespace raywalk

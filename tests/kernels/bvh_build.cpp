@@ -20,7 +20,7 @@ class Inspector {
     if (bvh::is_leaf(child)) {
       ++leaves;
       for (u32 i = 0; i < bvh::leaf_count(child); ++i) {
-        const Corners& t = slice_of(blob_, header_.triangles)[bvh::leaf_first(child) + i];
+        const Corners& t = slice_of(blob_, header_.triangles<Corners>())[bvh::leaf_first(child) + i];
         ids.push_back(t.id);
         box.add(raywalk::bounds_of(t));
       }

@@ -154,6 +154,18 @@ std::vector<Reference> finite_references(SceneView scene) {
   return references;
 }
 
+/// One of both spans is empty.
+void write_triangles(SceneView scene, std::span<const Reference> references, std::span<Corners> corners,
+                     std::span<Transform> transforms) {
+  tbb::parallel_for(size_t{0}, corners.size(), [&](size_t i) {
+    const u32 id = references[i].id;
+    const Corners& t = scene.corners()[id];
+    corners[i] = {t.a, id, t.b, 0, t.c, 0};
+  });
+  tbb::parallel_for(size_t{0}, transforms.size(),
+                    [&](size_t i) { transforms[i] = transform_of(scene.corners()[references[i].id]); });
+}
+
 void check(SceneView scene, const Config& config) {
   if (config.bins < 2 || config.bins > kMaxBins) throw std::invalid_argument("bvh: bins must be 2 to 64");
   if (config.max_leaf < 1 || config.max_leaf > kMaxLeaf) throw std::invalid_argument("bvh: max_leaf must be 1 to 8");
@@ -170,7 +182,7 @@ void check(SceneView scene, const Config& config) {
 BuiltStructure build(SceneView scene, const Config& config) {
   const auto start = std::chrono::steady_clock::now();
   check(scene, config);
-  BuiltStructure built;
+  BuiltStructure built{{}, {}, {config.triangles}};
   std::vector<Reference> references = finite_references(scene);
   const u32 count = static_cast<u32>(references.size());
   const Box bounds = bounds_of(references);
@@ -185,22 +197,19 @@ BuiltStructure build(SceneView scene, const Config& config) {
 
   BlobPlan plan(sizeof(Header));
   const Slice<Node> node_slice = plan.add<Node>(inner_nodes);
-  const Slice<Corners> triangle_slice = plan.add<Corners>(count);
+  const Slice<Corners> corners = plan.add<Corners>(config.triangles == TriangleRecords::corners ? count : 0);
+  const Slice<Transform> transforms = plan.add<Transform>(config.triangles == TriangleRecords::transforms ? count : 0);
   built.blob = plan.allocate();
   const u64 size_bytes = built.blob.size_bytes();
   // Alignment gaps are zero, so that equal structures are equal bytes.
   std::memset(built.blob.data(), 0, sizeof(Header));
   std::memset(built.blob.data() + size_bytes - kBlobAlignment, 0, kBlobAlignment);
   root = packer.pack(root, slice_of(built.blob, node_slice));
-  const std::span<Corners> triangles = slice_of(built.blob, triangle_slice);
-  tbb::parallel_for(u32{0}, count, [&](u32 i) {
-    const u32 id = references[i].id;
-    const Corners& t = scene.corners()[id];
-    triangles[i] = {t.a, id, t.b, 0, t.c, 0};
-  });
+  write_triangles(scene, references, slice_of(built.blob, corners), slice_of(built.blob, transforms));
   Header& header = *reinterpret_cast<Header*>(built.blob.data());
   header.nodes = node_slice;
-  header.triangles = triangle_slice;
+  header.triangles_offset = corners.count > 0 ? corners.offset : transforms.offset;
+  header.triangle_count = count;
   header.bounds = bounds;
   header.root = root;
   header.depth = built.stats.max_depth;

@@ -10,6 +10,7 @@ struct Config {
   u32 max_leaf = 4;
   float traversal_cost = 1.0f;     // of a step through an inner node
   float intersection_cost = 1.0f;  // of a triangle test
+  TriangleRecords triangles = TriangleRecords::corners;
 };
 
 /// Leaves non-finite triangles out. The blob is the same, byte for byte, whatever the number of threads.

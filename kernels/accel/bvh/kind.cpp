@@ -1,4 +1,5 @@
 // Host only: the binary BVH's name, options and help.
+#include "kernels/accel/build_records.h"
 #include "kernels/accel/bvh/build.h"
 #include "kernels/accel/bvh/layout.h"
 #include "kernels/accel/bvh/split.h"
@@ -12,6 +13,7 @@ BuiltStructure build_with(SceneView scene, const OptionValues& options) {
   config.max_leaf = static_cast<u32>(options.at("max_leaf"));
   config.traversal_cost = static_cast<float>(options.at("traversal_cost"));
   config.intersection_cost = static_cast<float>(options.at("intersection_cost"));
+  config.triangles = triangles_of(options);
   return build(scene, config);
 }
 
@@ -43,7 +45,8 @@ const Kind& kind() {
                    .help = "Cost of a triangle test, in any unit shared with traversal_cost.",
                    .default_value = defaults.intersection_cost,
                    .min = 0.01,
-                   .max = 100}},
+                   .max = 100},
+                  triangles_option()},
       .build = build_with,
   };
   return bvh;

@@ -1,5 +1,6 @@
 // The binary BVH in memory: 64-byte nodes that hold both children's boxes, and triangles copied in leaf order.
 #pragma once
+#include "kernels/accel/records.h"
 #include "kernels/float4.h"
 #include "kernels/scene_view.h"
 
@@ -38,12 +39,19 @@ static_assert(sizeof(Node) == 64);
 
 struct alignas(64) Header {
   Slice<Node> nodes;
-  Slice<Corners> triangles;  // finite ones only; 0 of them: nothing to traverse
+  u64 triangles_offset;  // of the records in leaf order
+  u64 triangle_count;    // finite ones only; 0: nothing to traverse
   Box bounds;
   Vec3 centre;
   float half_extent;  // the largest of the three, seen from the centre
   Child root;
   u32 depth;  // of the deepest leaf; 0 when the root is a leaf
+
+  /// Record is Corners or Transform, whichever the structure holds.
+  template <class Record>
+  RW_FN Slice<Record> triangles() const {
+    return {triangles_offset, triangle_count};
+  }
 };
 
 }  // namespace raywalk::bvh

@@ -83,9 +83,9 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray* rays, const 
   constexpr u32 kLocal = LanesT::kLocal;
   static_assert(LanesT::kCount <= Votes::kMaxLanes);
   const Header& header = header_of<Header>(blob);
-  if (header.triangles.count == 0) return;
+  if (header.triangle_count == 0) return;
   const Node* nodes = data_of(blob, header.nodes);
-  const Corners* triangles = data_of(blob, header.triangles);
+  const auto* triangles = data_of(blob, header.triangles<typename Query::Record>());
 
   Slabs<typename Query::Knobs::Slab, kLocal> slabs = {};
   bool going[kLocal];

@@ -15,9 +15,9 @@ struct Waiting {
 template <class Query, class Counter>
 RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray& ray, Query& query, Counter& counter) {
   const Header& header = header_of<Header>(blob);
-  if (header.triangles.count == 0) return;
+  if (header.triangle_count == 0) return;
   const Node* nodes = data_of(blob, header.nodes);
-  const Corners* triangles = data_of(blob, header.triangles);
+  const auto* triangles = data_of(blob, header.triangles<typename Query::Record>());
   const PairSlabs<typename Query::Knobs::Slab> slabs(ray, header);
   PairLimits limits{query.tmin, query.tmax()};
   Waiting stack[kMaxDepth];

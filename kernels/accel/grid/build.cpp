@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "kernels/accel/build_records.h"
 #include "kernels/accel/grid/insertion.h"
 
 namespace raywalk::grid {
@@ -149,7 +150,8 @@ BuiltStructure build(SceneView scene, const Config& config) {
   BlobPlan plan(sizeof(Header));
   grid.begins = plan.add<u32>(cells + 1);
   grid.references = plan.add<u32>(references);
-  BuiltStructure result{plan.allocate(), {}};
+  grid.transforms = plan.add<Transform>(config.triangles == TriangleRecords::transforms ? scene.triangle_count() : 0);
+  BuiltStructure result{plan.allocate(), {}, {config.triangles}};
   std::memcpy(result.blob.data(), &grid, sizeof(Header));
   const std::span<u32> begins = slice_of(result.blob, grid.begins);
   const std::span<u32> ids = slice_of(result.blob, grid.references);
@@ -166,6 +168,7 @@ BuiltStructure build(SceneView scene, const Config& config) {
   tbb::parallel_for(tbb::blocked_range<u64>(0, cells, 4096), [&](const tbb::blocked_range<u64>& range) {
     for (u64 i = range.begin(); i < range.end(); ++i) std::sort(&ids[0] + begins[i], &ids[0] + begins[i + 1]);
   });
+  write_transforms(scene, slice_of(result.blob, grid.transforms));
 
   BuildStats& stats = result.stats;
   stats.nodes = stats.leaves = cells;

@@ -11,6 +11,7 @@ struct Config {
   u32 resolution[3] = {0, 0, 0};  // cells along each axis; 0 is chosen by density
   double density = 6.15;          // cells a triangle; gives the study's grid for its bunny, 83 x 82 x 64
   Insertion insertion = Insertion::kBounds;
+  TriangleRecords triangles = TriangleRecords::corners;
 };
 
 constexpr u32 kMaxResolution = 16384;    // along one axis

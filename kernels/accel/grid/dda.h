@@ -49,7 +49,7 @@ RW_FN void traverse(const u8* blob, SceneView scene, const Ray& ray, Query& quer
 
   const u32* begins = data_of(blob, grid.begins);
   const u32* references = data_of(blob, grid.references);
-  const Corners* corners = scene.corners();
+  const auto* records = records_by_id<Query, Header>(blob, scene);
   Walk x, y, z;
   const i32 cell_x = x.begin(grid, local, 0, 1);
   const i32 cell_y = y.begin(grid, local, 1, grid.resolution[0]);
@@ -60,7 +60,7 @@ RW_FN void traverse(const u8* blob, SceneView scene, const Ray& ray, Query& quer
     counter.step();
     const u32 begin = begins[number], end = begins[number + 1];
     if (begin != end) {
-      if (test_cell(references, begin, end, corners, query, counter)) return;
+      if (test_cell(references, begin, end, records, query, counter)) return;
       limit = smaller(local.limit(query.tmax()), local.exit);
     }
     // Without a branch on the axis: neighbouring rays take different ones.

@@ -1,6 +1,7 @@
 // The uniform grid's options and help.
 #include "kernels/accel/grid/kind.h"
 
+#include "kernels/accel/build_records.h"
 #include "kernels/accel/grid/build.h"
 
 namespace raywalk::grid {
@@ -14,6 +15,7 @@ BuiltStructure build_from_options(SceneView scene, const OptionValues& options) 
   config.resolution[2] = whole("resolution_z");
   config.density = options.find("density")->second;
   config.insertion = whole("insertion") == 0 ? Insertion::kBounds : Insertion::kExact;
+  config.triangles = triangles_of(options);
   return build(scene, config);
 }
 
@@ -45,7 +47,8 @@ const Kind& kind() {
                    .help = "cells of a triangle: those its bounds overlap, or those it overlaps",
                    .max = 1,
                    .integer = true,
-                   .choices = {"bounds", "exact"}}},
+                   .choices = {"bounds", "exact"}},
+                  triangles_option()},
       .build = build_from_options,
   };
   return grid;

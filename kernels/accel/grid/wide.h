@@ -19,7 +19,7 @@ RW_FN void traverse_wide(const u8* blob, SceneView scene, const LocalRay& ray, Q
   const Header& grid = header_of<Header>(blob);
   const u32* begins = data_of(blob, grid.begins);
   const u32* references = data_of(blob, grid.references);
-  const Corners* corners = scene.corners();
+  const auto* records = records_by_id<Query, Header>(blob, scene);
   const Vec3 size = magnitude(ray.d);
   const u32 main = size.x >= size.y && size.x >= size.z ? 0u : size.y >= size.z ? 1u : 2u;
   const bool ascending = ray.d[main] > 0.0f;
@@ -40,7 +40,7 @@ RW_FN void traverse_wide(const u8* blob, SceneView scene, const LocalRay& ray, Q
         for (i32 x = from_cell[0]; x <= to_cell[0]; ++x) {
           counter.step();
           const u32 cell = grid.number(x, y, z);
-          if (test_cell(references, begins[cell], begins[cell + 1], corners, query, counter)) return;
+          if (test_cell(references, begins[cell], begins[cell + 1], records, query, counter)) return;
         }
       }
     }

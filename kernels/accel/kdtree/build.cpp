@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "kernels/accel/build_records.h"
 #include "kernels/accel/kdtree/layout.h"
 #include "kernels/accel/kdtree/work.h"
 
@@ -180,7 +181,8 @@ BuiltStructure build(SceneView scene, const Config& config) {
   BlobPlan plan(sizeof(Header));
   header.nodes = plan.add<Node>(layout.nodes);
   header.references = plan.add<u32>(layout.references);
-  BuiltStructure result{plan.allocate(), {}};
+  header.transforms = plan.add<Transform>(config.triangles == TriangleRecords::transforms ? scene.triangle_count() : 0);
+  BuiltStructure result{plan.allocate(), {}, {config.triangles}};
   std::memcpy(result.blob.data(), &header, sizeof(Header));
   const std::span<Node> nodes = slice_of(result.blob, header.nodes);
   const std::span<u32> references = slice_of(result.blob, header.references);
@@ -193,6 +195,7 @@ BuiltStructure build(SceneView scene, const Config& config) {
       branch->chunk = {};
     }
   });
+  write_transforms(scene, slice_of(result.blob, header.transforms));
 
   BuildStats& stats = result.stats;
   stats.nodes = layout.nodes;

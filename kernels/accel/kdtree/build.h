@@ -13,6 +13,7 @@ struct Config {
   double traversal_cost = 1.5;
   double intersection_cost = 1.0;
   double empty_bonus = 0.2;  // a split that cuts off empty space costs this much less, as a fraction
+  TriangleRecords triangles = TriangleRecords::corners;
 };
 
 /// Surface-area heuristic with perfect splits; depth at most 8 + 1.3 log2(triangles). Exact SAH takes O(n log n) time

@@ -1,6 +1,7 @@
 // The kd-tree's options and help.
 #include "kernels/accel/kdtree/kind.h"
 
+#include "kernels/accel/build_records.h"
 #include "kernels/accel/kdtree/build.h"
 
 namespace raywalk::kdtree {
@@ -12,6 +13,7 @@ BuiltStructure build_from_options(SceneView scene, const OptionValues& options) 
   config.traversal_cost = options.find("traversal_cost")->second;
   config.intersection_cost = options.find("intersection_cost")->second;
   config.empty_bonus = options.find("empty_bonus")->second;
+  config.triangles = triangles_of(options);
   return build(scene, config);
 }
 
@@ -40,7 +42,8 @@ const Kind& kind() {
                   {.name = "empty_bonus",
                    .help = "fraction taken off the cost of a split that cuts off empty space",
                    .default_value = defaults.empty_bonus,
-                   .max = 0.9}},
+                   .max = 0.9},
+                  triangles_option()},
       .build = build_from_options,
   };
   return kdtree;

@@ -1,6 +1,7 @@
 // kd-tree as stored: 8-byte nodes after Wald et al., "Interactive Rendering with Coherent Ray Tracing", 2001.
 #pragma once
 #include "kernels/accel/padded_frame.h"
+#include "kernels/accel/records.h"
 #include "kernels/blob.h"
 
 namespace raywalk::kdtree {
@@ -24,18 +25,20 @@ struct Node {
 constexpr u32 kMaxDepth = 63;
 
 struct Header {
-  PaddedFrame frame;      // the root's cell is [-half, half]
-  Slice<Node> nodes;      // the root first
-  Slice<u32> references;  // triangle ids, ascending in each leaf
+  PaddedFrame frame;            // the root's cell is [-half, half]
+  Slice<Node> nodes;            // the root first
+  Slice<u32> references;        // triangle ids, ascending in each leaf
+  Slice<Transform> transforms;  // by id; none unless they were asked for
 };
 
 /// Tests one leaf's triangles. True when the traversal is finished.
 template <class Query, class Counter>
-RW_FN bool test_leaf(Node leaf, const u32* references, const Corners* corners, Query& query, Counter& counter) {
+RW_FN bool test_leaf(Node leaf, const u32* references, const typename Query::Record* records, Query& query,
+                     Counter& counter) {
   const u32* reference = references + leaf.index();
   for (const u32* end = reference + leaf.count(); reference != end; ++reference) {
     counter.test();
-    if (query.test(corners[*reference])) return true;
+    if (query.test(records[*reference])) return true;
   }
   return false;
 }

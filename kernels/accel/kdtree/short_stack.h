@@ -21,7 +21,7 @@ RW_FN void traverse_short_stack(Stack& stack, const u8* blob, SceneView scene, c
 
   const Node* nodes = data_of(blob, tree.nodes);
   const u32* references = data_of(blob, tree.references);
-  const Corners* corners = scene.corners();
+  const auto* records = records_by_id<Query, Header>(blob, scene);
   float enter_s = 0.0f, exit_s = local.exit;
   float limit = local.limit(query.tmax());
   u32 root = 0, index = 0;
@@ -49,7 +49,7 @@ RW_FN void traverse_short_stack(Stack& stack, const u8* blob, SceneView scene, c
       counter.step();
     }
     if (node.count() != 0) {
-      if (test_leaf(node, references, corners, query, counter)) return;
+      if (test_leaf(node, references, records, query, counter)) return;
       limit = local.limit(query.tmax());
     }
     if (limit < exit_s) return;

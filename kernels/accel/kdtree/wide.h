@@ -11,7 +11,7 @@ RW_FN void traverse_wide(const u8* blob, SceneView scene, const LocalRay& ray, Q
   const Header& tree = header_of<Header>(blob);
   const Node* nodes = data_of(blob, tree.nodes);
   const u32* references = data_of(blob, tree.references);
-  const Corners* corners = scene.corners();
+  const auto* records = records_by_id<Query, Header>(blob, scene);
   u64 trail = 0;  // bit k: at level k of the present path the near child is done
   while (true) {
     Node node = nodes[0];
@@ -41,7 +41,7 @@ RW_FN void traverse_wide(const u8* blob, SceneView scene, const LocalRay& ray, Q
       level <<= 1;
       counter.step();
     }
-    if (inside && test_leaf(node, references, corners, query, counter)) return;
+    if (inside && test_leaf(node, references, records, query, counter)) return;
     if (choice == 0) return;
     trail = (trail & (choice - 1)) | choice;
   }

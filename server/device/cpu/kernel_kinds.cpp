@@ -8,11 +8,13 @@ namespace {
 class BlobStructure final : public CpuStructure {
  public:
   BlobStructure(std::shared_ptr<const Blob> scene, std::string kind, BuiltStructure built)
-      : CpuStructure(std::move(scene), std::move(kind), built.stats), blob_(std::move(built.blob)) {}
+      : CpuStructure(std::move(scene), std::move(kind), built.stats), blob_(std::move(built.blob)), form_(built.form) {}
   const void* handle() const override { return blob_.data(); }
+  StructureForm form() const override { return form_; }
 
  private:
   Blob blob_;
+  StructureForm form_;
 };
 
 std::shared_ptr<const CpuStructure> build_blob(std::shared_ptr<const Blob> scene, const Kind* kind,

@@ -5,6 +5,7 @@
 
 #include "server/device/cuda/kernel_options.h"
 #include "server/device/cuda/structure.h"
+#include "server/device/knobs.h"
 #include "server/device/outputs.h"
 #include "server/system/stopwatch.h"
 
@@ -64,6 +65,7 @@ const Kind& kind_of(const std::string& name) {
 /// Program::trace or Program::count for ray lists.
 KernelSpec ray_kernel(const RayJob& job, Program program) {
   const TraversalType& type = traversal_type(job.structure->kind(), job.traversal);
+  check_form(*job.structure, job.kernel);
   return kernel_spec(type, job.kernel, program, Mode::primary, 0);
 }
 
@@ -129,8 +131,8 @@ std::shared_ptr<const Structure> CudaDevice::build(std::shared_ptr<const Blob> s
   BuiltStructure built =
       host_.inside([&] { return known.build(SceneView{scene->data()}, with_defaults(known, options)); });
   const auto blob = std::make_shared<const Blob>(std::move(built.blob));
-  auto structure =
-      std::make_shared<const CudaStructure>(kind, built.stats, memory_->copy_of(scene), memory_->copy_of(blob));
+  auto structure = std::make_shared<const CudaStructure>(kind, built.stats, built.form, memory_->copy_of(scene),
+                                                         memory_->copy_of(blob));
   guarded([&] { hold(*structure); });
   return structure;
 }
@@ -144,6 +146,7 @@ CudaDevice::OnDevice CudaDevice::hold(const FrameJob& job) {
 }
 
 KernelSpec CudaDevice::spec_of(const FrameJob& job, Program program) const {
+  check_form(*job.structure, job.kernel);
   const u32 features = all_features_ ? kAllFeatures : structure_of(job.structure).scene().header().features;
   return kernel_spec(type_of(job), job.kernel, program, job.mode, features);
 }

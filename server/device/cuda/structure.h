@@ -7,12 +7,17 @@ namespace raywalk::cuda {
 
 class CudaStructure final : public Structure {
  public:
-  CudaStructure(std::string kind, const BuildStats& stats, std::shared_ptr<Residency::Copy> scene,
+  CudaStructure(std::string kind, const BuildStats& stats, StructureForm form, std::shared_ptr<Residency::Copy> scene,
                 std::shared_ptr<Residency::Copy> structure)
-      : kind_(std::move(kind)), stats_(stats), scene_(std::move(scene)), structure_(std::move(structure)) {}
+      : kind_(std::move(kind)),
+        stats_(stats),
+        form_(form),
+        scene_(std::move(scene)),
+        structure_(std::move(structure)) {}
 
   const std::string& kind() const override { return kind_; }
   const BuildStats& stats() const override { return stats_; }
+  StructureForm form() const override { return form_; }
   /// On the host.
   SceneView scene() const { return {scene_->blob().data()}; }
   const std::shared_ptr<Residency::Copy>& scene_copy() const { return scene_; }
@@ -21,6 +26,7 @@ class CudaStructure final : public Structure {
  private:
   std::string kind_;
   BuildStats stats_;
+  StructureForm form_;
   std::shared_ptr<Residency::Copy> scene_, structure_;
 };
 
