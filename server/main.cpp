@@ -15,6 +15,7 @@
 #include "server/exit_codes.h"
 #include "server/flags.h"
 #include "server/http/server.h"
+#include "server/jobs/run_job.h"
 #include "server/open_devices.h"
 #include "server/store/folder_lock.h"
 #include "server/supervise.h"
@@ -99,8 +100,8 @@ int run(const Flags& flags) {
   const Machine machine = describe_machine(device.info().name, device.info().details, device.info().threads);
   const Workplace place{scenes, structures, queue, reference_structures, host ? host->queue : queue, machine};
   api::JobStore job_store(store, device.kinds());
-  JobQueue jobs([&](const BenchmarkSpec& spec, const auto& report) { return run_benchmark(spec, place, report); },
-                job_store, job_store.recover(), [&] { return queue.lost().has_value(); });
+  JobQueue jobs([&](const JobSpec& spec, const auto& report) { return run_job(spec, place, report); }, job_store,
+                job_store.recover(), [&] { return queue.lost().has_value(); });
 
   const http::Contract contract(http::embedded_contract());
   api::Metrics metrics;

@@ -25,7 +25,7 @@ JobState parse_state(const std::string& name) {
 store::JobRow row_of(const Job& job) {
   store::JobRow row;
   row.id = job.id;
-  row.kind = "benchmark";
+  row.kind = kind_name(job.spec);
   row.spec = text_of(to_json(job.spec));
   row.state = state_name(job.state);
   row.stage = job.stage;
@@ -46,7 +46,7 @@ Job job_of(const store::JobRow& row) {
   Job job;
   job.id = row.id;
   job.key = row.key;
-  job.spec = parse_spec(Json::parse(row.spec));
+  job.spec = parse_job_spec(row.kind, Json::parse(row.spec));
   job.state = parse_state(row.state);
   job.attempt = row.attempt;
   job.progress = row.progress;
@@ -123,8 +123,12 @@ void JobStore::keep(const Job& job) {
   guarded([&] { store_.save(row_of(job)); });
 }
 
-void JobStore::keep(const Job& job, const BenchmarkResult& result) {
-  const store::ResultRow row{http::json_response(to_json(result, job, kinds_)).body, to_csv(result)};
+void JobStore::keep(const Job& job, const JobResult& result) {
+  const store::ResultRow row = std::visit(
+      [&](const auto& one) {
+        return store::ResultRow{http::json_response(to_json(one, job, kinds_)).body, to_csv(one)};
+      },
+      result);
   guarded([&] { store_.save(row_of(job), row); });
 }
 

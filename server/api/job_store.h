@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "server/bench/job_keeper.h"
+#include "server/jobs/job_keeper.h"
 #include "server/store/store.h"
 
 namespace raywalk::api {
@@ -19,7 +19,7 @@ class JobStore : public JobKeeper {
   std::vector<Job> recover();
 
   void keep(const Job& job) override;
-  void keep(const Job& job, const BenchmarkResult& result) override;
+  void keep(const Job& job, const JobResult& result) override;
   void forget(const std::string& id) override;
 
  private:

@@ -1,4 +1,4 @@
-// Benchmark jobs: submit, watch, cancel.
+// Jobs: submit, watch, cancel.
 #include <atomic>
 
 #include "server/api/handlers.h"
@@ -46,7 +46,8 @@ Response list_jobs(Services& s, const Request&) {
 }
 
 Response submit_job(Services& s, const Request& r) {
-  const BenchmarkSpec spec = checked(parse_spec(r.json.at("spec")), s.scenes, s.structures.kinds());
+  const auto check = [&](const auto& given) -> JobSpec { return checked(given, s.scenes, s.structures.kinds()); };
+  const JobSpec spec = std::visit(check, parse_job_spec(r.json.at("kind"), r.json.at("spec")));
   const JobQueue::Submitted submitted = s.jobs.submit(spec, r.header("idempotency-key"));
   Response response = http::json_response(to_json(submitted.job), submitted.fresh ? 202 : 200);
   response.headers["Location"] = "/v1/jobs/" + submitted.job.id;

@@ -1,4 +1,4 @@
-// Results of benchmarks, as JSON or CSV: the bytes that were kept when the benchmark ended.
+// Results of jobs, as JSON or CSV: the bytes that were kept when the job ended.
 #include "server/api/accept.h"
 #include "server/api/handlers.h"
 #include "server/system/refusal.h"

@@ -8,7 +8,7 @@
 
 #include "server/api/frame_pool.h"
 #include "server/api/metrics.h"
-#include "server/bench/job_queue.h"
+#include "server/jobs/job_queue.h"
 #include "server/catalog/scenes.h"
 #include "server/catalog/structures.h"
 #include "server/device/device_queue.h"

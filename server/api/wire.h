@@ -22,10 +22,16 @@ Json to_json(const KindInfo& kind);
 Json options_json(const std::vector<Option>& options, const OptionValues& values);
 Json to_json(const Machine& machine);
 Json to_json(const BenchmarkSpec& spec);
+Json to_json(const accuracy::AccuracySpec& spec);
+Json to_json(const JobSpec& spec);
 Json to_json(const Job& job);
+Json to_json(const Statistics& statistics);
 Json to_json(const BenchmarkResult& result, const Job& job, const std::vector<KindInfo>& kinds);
+Json to_json(const accuracy::AccuracyResult& result, const Job& job, const std::vector<KindInfo>& kinds);
 /// One line a row, with a header line.
 std::string to_csv(const BenchmarkResult& result);
+/// Of the sweep, or of the hard cases when there is no scene.
+std::string to_csv(const accuracy::AccuracyResult& result);
 
 /// The problem of a job that failed in an earlier daemon, as it was told then.
 struct KeptProblem {
@@ -39,6 +45,10 @@ const char* state_name(JobState state);
 Json to_json(const GivenOptions& options);
 GivenOptions parse_options(const Json& json);
 BenchmarkSpec parse_spec(const Json& json);
+accuracy::AccuracySpec parse_accuracy_spec(const Json& json);
+/// "benchmark" or "accuracy".
+const char* kind_name(const JobSpec& spec);
+JobSpec parse_job_spec(const std::string& kind, const Json& json);
 Mode parse_mode(const Json& json);
 Output parse_output(const Json& json);
 /// `json` is a CameraPose or a PathFrame; null is the first frame. Throws Refusal invalid_camera.

@@ -1,4 +1,4 @@
-// JSON of benchmarks: specs and jobs.
+// JSON of jobs and of what benchmarks are asked for.
 #include "server/api/wire.h"
 #include "server/http/problem.h"
 
@@ -93,9 +93,22 @@ Json to_json(const BenchmarkSpec& spec) {
           {"time_limit_s", spec.time_limit_s}};
 }
 
+const char* kind_name(const JobSpec& spec) {
+  return std::holds_alternative<BenchmarkSpec>(spec) ? "benchmark" : "accuracy";
+}
+
+Json to_json(const JobSpec& spec) {
+  return std::visit([](const auto& one) { return to_json(one); }, spec);
+}
+
+JobSpec parse_job_spec(const std::string& kind, const Json& json) {
+  if (kind == "accuracy") return parse_accuracy_spec(json);
+  return parse_spec(json);
+}
+
 Json to_json(const Job& job) {
   return {{"id", job.id},
-          {"kind", "benchmark"},
+          {"kind", kind_name(job.spec)},
           {"spec", to_json(job.spec)},
           {"state", state_name(job.state)},
           {"position", job.position},

@@ -5,7 +5,6 @@
 #include "server/api/wire.h"
 
 namespace raywalk::api {
-namespace {
 
 Json to_json(const Statistics& s) {
   return {
@@ -13,6 +12,8 @@ Json to_json(const Statistics& s) {
       {"p5", s.p5},           {"p95", s.p95},   {"p99", s.p99}, {"ci95_low", s.ci95_low}, {"ci95_high", s.ci95_high},
       {"samples", s.samples}, {"discarded", 0}, {"failed", 0},  {"unstable", s.unstable}};
 }
+
+namespace {
 
 Json to_json(const ErrorFigures& e) {
   const double rmse = e.image_rmse();
@@ -46,8 +47,9 @@ Json to_json(const TelemetrySummary& t) {
 }
 
 Json to_json(const Throughput& t) {
-  return {
-      {"frames_per_launch", t.frames_per_launch}, {"frame_ms", to_json(t.frame_ms)}, {"mrays_per_s", t.mrays_per_s}};
+  return {{"frames_per_launch", t.frames_per_launch},
+          {"frame_ms", api::to_json(t.frame_ms)},
+          {"mrays_per_s", t.mrays_per_s}};
 }
 
 Json kernel_json(const ResultRow& row, const std::vector<KindInfo>& kinds) {
@@ -69,7 +71,7 @@ Json to_json(const ResultRow& row, const std::vector<KindInfo>& kinds) {
           {"traversal", row.traversal},
           {"structure_id", row.structure_id},
           {"mode", mode_name(row.mode)},
-          {"frame_ms", to_json(row.frame_ms)},
+          {"frame_ms", api::to_json(row.frame_ms)},
           {"mrays_per_s", row.mrays_per_s},
           {"rays_per_frame", row.rays_per_frame},
           {"steps_per_ray", value_or_null(row.steps_per_ray)},

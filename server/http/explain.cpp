@@ -77,7 +77,7 @@ class Explainer {
 
   void check(const Json& node, const Json& value, const std::string& pointer) {
     const Json& schema = resolved(document_, node);
-    if (schema.contains("anyOf")) return check(likeliest(schema.at("anyOf"), value), value, pointer);
+    if (schema.contains("anyOf")) return check_alternatives(schema, value, pointer);
     if (!check_type(schema, value, pointer) || !check_choice(schema, value, pointer)) return;
     if (value.is_number()) check_number(schema, value, pointer);
     if (value.is_string()) check_text(schema, value.get_ref<const std::string&>(), pointer);
@@ -91,6 +91,22 @@ class Explainer {
   void offend(const std::string& pointer, std::string detail) { offences_.push_back({pointer, std::move(detail)}); }
   void must(const std::string& pointer, const std::string& what, const Json& value) {
     offend(pointer, "must " + what + "; it is " + shown(value));
+  }
+
+  void check_alternatives(const Json& schema, const Json& value, const std::string& pointer) {
+    const Json& alternatives = schema.at("anyOf");
+    const std::string field = discriminator(schema);
+    if (field.empty() || !value.is_object() || !value.contains(field)) {
+      return check(likeliest(alternatives, value), value, pointer);
+    }
+    if (const Json* chosen = alternative_named(document_, schema, value)) return check(*chosen, value, pointer);
+    Json names = {{"enum", Json::array()}};
+    for (const Json& one : alternatives) {
+      for (const Json& name : resolved(document_, one).at("properties").at(field).at("enum")) {
+        names["enum"].push_back(name);
+      }
+    }
+    check_choice(names, value.at(field), pointer + "/" + escaped(field));
   }
 
   const Json& likeliest(const Json& alternatives, const Json& value) const {
@@ -205,6 +221,20 @@ const Json& resolved(const Json& document, const Json& node) {
   const Json* at = &node;
   while (at->contains("$ref")) at = &document.at(Json::json_pointer(at->at("$ref").get<std::string>().substr(1)));
   return *at;
+}
+
+std::string discriminator(const Json& schema) {
+  return schema.value("discriminator", Json::object()).value("propertyName", "");
+}
+
+const Json* alternative_named(const Json& document, const Json& schema, const Json& value) {
+  const std::string field = discriminator(schema);
+  if (field.empty() || !value.is_object() || !value.contains(field)) return nullptr;
+  for (const Json& candidate : schema.at("anyOf")) {
+    const Json& names = resolved(document, candidate).at("properties").at(field).at("enum");
+    if (std::find(names.begin(), names.end(), value.at(field)) != names.end()) return &candidate;
+  }
+  return nullptr;
 }
 
 std::vector<Refusal::Offence> explain(const Json& document, const Json& schema, const Json& value) {

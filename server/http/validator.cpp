@@ -48,7 +48,8 @@ struct Validator::Impl {
   void fill(const Json& node, Json& value) const {
     const Json& s = resolve(node);
     if (s.contains("anyOf")) {
-      if (const Json* chosen = alternative(s.at("anyOf"), value)) fill(*chosen, value);
+      const Json* named = alternative_named(document, s, value);
+      if (const Json* chosen = named != nullptr ? named : alternative(s.at("anyOf"), value)) fill(*chosen, value);
     }
     if (value.is_object() && s.contains("properties")) {
       for (const auto& [name, property] : s.at("properties").items()) {

@@ -68,8 +68,8 @@ class FakeDevice : public Device {
   std::vector<Hit> closest(const RayJob& job) override { return std::vector<Hit>(job.rays.size()); }
   std::vector<Counts> count_rays(const RayJob& job) override { return std::vector<Counts>(job.rays.size()); }
   std::vector<u8> occluded(const RayJob& job) override { return std::vector<u8>(job.rays.size()); }
-  std::vector<double> measure_rays(const RayJob&, RayQuery, u32 launches) override {
-    return std::vector<double>(launches, 1.0);
+  std::vector<double> measure_rays(const RayJob&, RayQuery, u32 count) override {
+    return std::vector<double>(count, 1.0);
   }
 
   std::atomic<int> builds{0};

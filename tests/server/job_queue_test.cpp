@@ -1,5 +1,5 @@
 // States of jobs, keys, bounds, cancelling.
-#include "server/bench/job_queue.h"
+#include "server/jobs/job_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -25,10 +25,10 @@ class MemoryKeeper : public JobKeeper {
     if (full) throw Refusal(Refusal::Why::unavailable, "storage_failed", "The disk is full.");
     jobs_[job.id] = job;
   }
-  void keep(const Job& job, const BenchmarkResult& result) override {
+  void keep(const Job& job, const JobResult& result) override {
     keep(job);
     const std::lock_guard lock(mutex_);
-    results_[job.id] = result.created_at;
+    results_[job.id] = std::visit([](const auto& one) { return one.created_at; }, result);
   }
   void forget(const std::string& id) override {
     const std::lock_guard lock(mutex_);
@@ -70,7 +70,7 @@ Job wait_for_end(const JobQueue& jobs, const std::string& id) {
 }
 
 /// Reports until it is stopped.
-BenchmarkResult endless(const BenchmarkSpec&, const Report& report) {
+BenchmarkResult endless(const JobSpec&, const Report& report) {
   for (double done = 0;; done += 0.001) {
     report({"measuring", false, done, 1, 2});
     std::this_thread::sleep_for(1ms);
@@ -78,7 +78,7 @@ BenchmarkResult endless(const BenchmarkSpec&, const Report& report) {
 }
 
 TEST(JobQueue, SucceedsWithAResult) {
-  WorkingQueue jobs([](const BenchmarkSpec&, const Report& report) {
+  WorkingQueue jobs([](const JobSpec&, const Report& report) {
     report({"a", false, 0.5, 1, 2});
     report({"b", true, 0.9, 2, 2});
     return BenchmarkResult{};
@@ -93,8 +93,7 @@ TEST(JobQueue, SucceedsWithAResult) {
 }
 
 TEST(JobQueue, FailsWithItsCause) {
-  WorkingQueue jobs(
-      [](const BenchmarkSpec&, const Report&) -> BenchmarkResult { throw std::runtime_error("no memory"); });
+  WorkingQueue jobs([](const JobSpec&, const Report&) -> BenchmarkResult { throw std::runtime_error("no memory"); });
   const Job job = wait_for_end(jobs, jobs.submit({}, "").job.id);
   EXPECT_EQ(job.state, JobState::failed);
   EXPECT_FALSE(job.has_result);
@@ -102,7 +101,7 @@ TEST(JobQueue, FailsWithItsCause) {
 }
 
 TEST(JobQueue, TheSameKeyIsTheSameJob) {
-  WorkingQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
+  WorkingQueue jobs([](const JobSpec&, const Report&) { return BenchmarkResult{}; });
   const auto first = jobs.submit({}, "k"), second = jobs.submit({}, "k"), other = jobs.submit({}, "");
   EXPECT_FALSE(second.fresh);
   EXPECT_EQ(second.job.id, first.job.id);
@@ -110,7 +109,7 @@ TEST(JobQueue, TheSameKeyIsTheSameJob) {
 }
 
 TEST(JobQueue, AKeyStandsForOneSpec) {
-  WorkingQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
+  WorkingQueue jobs([](const JobSpec&, const Report&) { return BenchmarkResult{}; });
   jobs.submit({}, "k");
   BenchmarkSpec other;
   other.frames = 7;
@@ -125,7 +124,7 @@ TEST(JobQueue, AKeyStandsForOneSpec) {
 TEST(JobQueue, EveryStageIsSeen) {
   std::vector<std::string> seen;
   JobQueue* queue = nullptr;
-  WorkingQueue jobs([&](const BenchmarkSpec&, const Report& report) {
+  WorkingQueue jobs([&](const JobSpec&, const Report& report) {
     for (const char* stage : {"loading", "building", "warming up", "measuring"}) {
       for (int i = 0; i < 3; ++i) report({stage, false, 0.1, 1, 2});
       seen.push_back(queue->list().front().stage);
@@ -174,7 +173,7 @@ TEST(JobQueue, EndsWithoutWaitingForItsJobs) {
 TEST(JobQueue, KeepsEveryStateAndTheResult) {
   WorkingQueue* queue = nullptr;
   std::vector<std::string> kept;
-  WorkingQueue jobs([&](const BenchmarkSpec&, const Report& report) {
+  WorkingQueue jobs([&](const JobSpec&, const Report& report) {
     const std::string id = queue->list().front().id;
     kept.push_back(queue->keeper().job(id).stage);
     report({"measuring", false, 0.5, 1, 2});
@@ -194,7 +193,7 @@ TEST(JobQueue, KeepsEveryStateAndTheResult) {
 }
 
 TEST(JobQueue, AJobThatCannotBeKeptIsRefused) {
-  WorkingQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; });
+  WorkingQueue jobs([](const JobSpec&, const Report&) { return BenchmarkResult{}; });
   jobs.keeper().full = true;
   EXPECT_THROW(jobs.submit({}, "k"), Refusal);
   EXPECT_TRUE(jobs.list().empty());
@@ -204,7 +203,7 @@ TEST(JobQueue, AJobThatCannotBeKeptIsRefused) {
 
 TEST(JobQueue, AResultThatCannotBeKeptFailsItsJob) {
   WorkingQueue* queue = nullptr;
-  WorkingQueue jobs([&](const BenchmarkSpec&, const Report&) {
+  WorkingQueue jobs([&](const JobSpec&, const Report&) {
     queue->keeper().full = true;
     return BenchmarkResult{};
   });
@@ -221,13 +220,13 @@ TEST(JobQueue, GoesOnWithKeptJobs) {
   for (int i = 0; i < 3; ++i) kept[i].id = ids[i];
   kept[0].state = JobState::succeeded;
   kept[0].key = "k";
-  kept[1].spec.frames = 1;
-  kept[2].spec.frames = 2;
+  std::get<BenchmarkSpec>(kept[1].spec).frames = 1;
+  std::get<BenchmarkSpec>(kept[2].spec).frames = 2;
   std::vector<u32> run;
   MemoryKeeper keeper;
   JobQueue jobs(
-      [&](const BenchmarkSpec& spec, const Report&) {
-        run.push_back(spec.frames);
+      [&](const JobSpec& spec, const Report&) {
+        run.push_back(std::get<BenchmarkSpec>(spec).frames);
         return BenchmarkResult{};
       },
       keeper, kept);
@@ -259,7 +258,7 @@ TEST(JobQueue, ALostDeviceRunsNothingMore) {
   MemoryKeeper keeper;
   std::atomic<bool> lost{false};
   JobQueue jobs(
-      [&](const BenchmarkSpec&, const Report&) -> BenchmarkResult {
+      [&](const JobSpec&, const Report&) -> BenchmarkResult {
         lost = true;
         throw DeviceLost("it trapped");
       },
@@ -277,7 +276,7 @@ TEST(JobQueue, NothingStartsOnADeviceThatOthersLost) {
   MemoryKeeper keeper;
   std::atomic<int> runs{0};
   JobQueue jobs(
-      [&](const BenchmarkSpec&, const Report&) {
+      [&](const JobSpec&, const Report&) {
         ++runs;
         return BenchmarkResult{};
       },
@@ -294,7 +293,7 @@ TEST(JobQueue, NothingStartsOnADeviceThatOthersLost) {
 
 TEST(JobQueue, ManyCancelledJobsDoNotPushOutTheOneThatRan) {
   std::atomic<bool> go_on{false};
-  WorkingQueue jobs([&](const BenchmarkSpec&, const Report&) {
+  WorkingQueue jobs([&](const JobSpec&, const Report&) {
     while (!go_on) std::this_thread::sleep_for(1ms);
     return BenchmarkResult{};
   });
@@ -326,7 +325,7 @@ TEST(JobQueue, WhatEndedFirstIsForgottenFirst) {
                        : i == 7 ? "2025-01-01T00:00:00.000Z"
                                 : "2026-01-01T00:00:00.000Z";
   }
-  const JobQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; }, keeper, kept);
+  const JobQueue jobs([](const JobSpec&, const Report&) { return BenchmarkResult{}; }, keeper, kept);
   EXPECT_NO_THROW(jobs.find("0")) << "submitted first, and ended last";
   EXPECT_THROW(jobs.find("7"), Refusal);
 }
@@ -339,7 +338,7 @@ TEST(JobQueue, TheOldestAreForgotten) {
     kept[i].state = JobState::cancelled;
     keeper.keep(kept[i]);
   }
-  const JobQueue jobs([](const BenchmarkSpec&, const Report&) { return BenchmarkResult{}; }, keeper, kept);
+  const JobQueue jobs([](const JobSpec&, const Report&) { return BenchmarkResult{}; }, keeper, kept);
   EXPECT_EQ(jobs.list().size(), JobQueue::kMaxEnded);
   EXPECT_EQ(keeper.size(), JobQueue::kMaxEnded);
   EXPECT_THROW(jobs.find("4"), Refusal);

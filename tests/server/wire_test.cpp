@@ -55,9 +55,11 @@ class WireResult : public testing::Test {
     row_.frame_ms.median = 2;
     row_.frame_ms.samples = 1;
     job_.id = "j1";
-    job_.spec.scene = "a";
-    job_.spec.techniques = {{"bvh", "while-while"}};
-    job_.spec.modes = {BenchMode::primary};
+    BenchmarkSpec spec;
+    spec.scene = "a";
+    spec.techniques = {{"bvh", "while-while"}};
+    spec.modes = {BenchMode::primary};
+    job_.spec = spec;
   }
   Json json() {
     result_.rows = {row_};

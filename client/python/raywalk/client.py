@@ -128,8 +128,13 @@ class Client:
     def list_jobs(self) -> list[models.Job]:
         return self._read(models.JobList, "GET", "/v1/jobs").jobs
 
-    def submit_job(self, spec: models.BenchmarkSpec, idempotency_key: str | None = None) -> models.Job:
-        request = models.JobRequest(kind="benchmark", spec=spec)
+    def submit_job(
+        self, spec: models.BenchmarkSpec | models.AccuracySpec, idempotency_key: str | None = None
+    ) -> models.Job:
+        if isinstance(spec, models.AccuracySpec):
+            request: BaseModel = models.AccuracyRequest(kind="accuracy", spec=spec)
+        else:
+            request = models.BenchmarkRequest(kind="benchmark", spec=spec)
         headers = {"Idempotency-Key": idempotency_key or str(uuid.uuid4())}
         return self._read(models.Job, "POST", "/v1/jobs", body=request, headers=headers)
 
@@ -151,6 +156,9 @@ class Client:
 
     def get_result(self, job: str) -> models.BenchmarkResult:
         return self._read(models.BenchmarkResult, "GET", f"/v1/results/{part(job)}")
+
+    def get_accuracy_result(self, job: str) -> models.AccuracyResult:
+        return self._read(models.AccuracyResult, "GET", f"/v1/results/{part(job)}")
 
     def get_result_csv(self, job: str) -> str:
         return self._transfer.send("GET", f"/v1/results/{part(job)}", headers={"Accept": "text/csv"}).text

@@ -8,7 +8,7 @@ import httpx2
 
 from raywalk.client import Client
 from raywalk.errors import RaywalkError
-from raywalk.models import BenchmarkResult, BenchmarkSpec, Job, Structure
+from raywalk.models import AccuracyResult, AccuracySpec, BenchmarkResult, BenchmarkSpec, Job, Structure
 
 ENDED = ("succeeded", "failed", "cancelled", "interrupted")
 POLL_S = 0.1
@@ -42,6 +42,21 @@ def job_states(client: Client, job: Job) -> Iterator[Job]:
 
 def benchmark(client: Client, spec: BenchmarkSpec, on_change: Callable[[Job], None] | None = None) -> BenchmarkResult:
     """Runs a benchmark to its end; an interruption (Ctrl-C too) cancels it. Throws RaywalkError when it failed."""
+    job = finished(client, spec, f"the benchmark of {spec.scene}", on_change)
+    return client.get_result(job.result or job.id)
+
+
+def accuracy(client: Client, spec: AccuracySpec, on_change: Callable[[Job], None] | None = None) -> AccuracyResult:
+    """The same for a measurement of accuracy."""
+    what = f"the measurement of accuracy on {spec.scene}" if spec.scene else "the run of the hard cases"
+    job = finished(client, spec, what, on_change)
+    return client.get_accuracy_result(job.result or job.id)
+
+
+def finished(
+    client: Client, spec: BenchmarkSpec | AccuracySpec, what: str, on_change: Callable[[Job], None] | None
+) -> Job:
+    """The job that has succeeded."""
     job = client.submit_job(spec)
     try:
         for now in job_states(client, job):
@@ -55,5 +70,5 @@ def benchmark(client: Client, spec: BenchmarkSpec, on_change: Callable[[Job], No
         raise
     if job.state != "succeeded":
         cause = job.error.detail if job.error else "no cause given"
-        raise RaywalkError(f"the benchmark of {spec.scene} ended as {job.state}: {cause}")
-    return client.get_result(job.result or job.id)
+        raise RaywalkError(f"{what} ended as {job.state}: {cause}")
+    return job

@@ -496,56 +496,31 @@ class BenchmarkSpec(BaseModel):
     """
 
 
-class JobRequest(BaseModel):
+class SweepTechnique(BaseModel):
+    """
+    One structure with one traversal; the knobs come from the sweep.
+    """
+
+    model_config = ConfigDict(
+        extra="forbid",
+    )
+    structure: Annotated[str, Field(pattern="^[a-z0-9][a-z0-9_-]{0,63}$")]
+    """
+    Lower-case name of a scene, structure kind or traversal.
+    """
+    traversal: Annotated[str, Field(pattern="^[a-z0-9][a-z0-9_-]{0,63}$")]
+    """
+    Lower-case name of a scene, structure kind or traversal.
+    """
+    options: dict[str, float | str] | None = None
+
+
+class BenchmarkRequest(BaseModel):
     model_config = ConfigDict(
         extra="forbid",
     )
     kind: Literal["benchmark"]
     spec: BenchmarkSpec
-
-
-class Job(BaseModel):
-    id: str
-    kind: Literal["benchmark"]
-    spec: BenchmarkSpec
-    state: Literal["queued", "running", "validating", "succeeded", "failed", "cancelled", "interrupted"]
-    """
-    Jobs outlive the daemon. One that ran when it crashed is failed (daemon_crashed), or interrupted when it was stopped, and is not run again by itself; queued ones are.
-    """
-    position: Annotated[int, Field(ge=0)]
-    """
-    Jobs before it; 0 when running or ended.
-    """
-    progress: Annotated[float, Field(ge=0.0, le=1.0)]
-    stage: str
-    """
-    What it does now; for people.
-    """
-    frames_done: int | None = None
-    frames_total: int | None = None
-    eta_s: float | None = None
-    """
-    Seconds to the end as estimated; null when unknown.
-    """
-    attempt: Annotated[int, Field(ge=1)]
-    """
-    Grows when the daemon crashed while the job was queued.
-    """
-    result: str | None = None
-    """
-    Id for GET /v1/results when it has succeeded.
-    """
-    error: Problem | None = None
-    created_at: str
-    """
-    RFC 3339 UTC.
-    """
-    started_at: str | None = None
-    ended_at: str | None = None
-
-
-class JobList(BaseModel):
-    jobs: list[Job]
 
 
 class Statistics(BaseModel):
@@ -730,6 +705,181 @@ class ResultRow(BaseModel):
     error: ErrorFigures
 
 
+class Rate(BaseModel):
+    """
+    Events among rays, with the upper end of the one-sided 95 % interval of their rate; 3/N when none was seen.
+    """
+
+    count: int
+    of: int
+    ppm: float
+    ppm_upper95: float
+
+
+class WellConditioned(BaseModel):
+    """
+    Of hits whose t does not hang on the last bits of the ray.
+    """
+
+    hits: int
+    p50: float | None
+    p999: float | None
+    max: float | None
+
+
+class TUlps(BaseModel):
+    """
+    Error of t of hits against the exact one rounded once; null without hits, and where it is not finite.
+    """
+
+    hits: int
+    p50: float | None
+    p999: float | None
+    max: float | None
+    well_conditioned: WellConditioned
+    """
+    Of hits whose t does not hang on the last bits of the ray.
+    """
+
+
+class SweepErrors(BaseModel):
+    """
+    Verdicts of the exact oracle on the answers to a list of rays; where it is judged in parts, on evenly spaced rays.
+    """
+
+    judged: int
+    """
+    Rays of the list that were judged.
+    """
+    wrong: Rate
+    """
+    Rays with a leak, false miss, false hit, wrong id, double hit, self-hit or NaN.
+    """
+    leaks: Rate
+    """
+    A closed surface was passed at an edge or vertex.
+    """
+    false_misses: Rate
+    """
+    A triangle that is met well inside was passed.
+    """
+    false_hits: Rate
+    wrong_ids: Rate
+    near: Rate
+    """
+    Not wrong: within 2^-20 of an edge or of the interval's end float arithmetic may go either way.
+    """
+    boundary: Rate
+    """
+    Not wrong: an edge or vertex is met exactly.
+    """
+    ties: Rate
+    """
+    Not wrong: another triangle at a t within 2 ulp.
+    """
+    double_hits: Rate | None
+    """
+    Both neighbours of an edge or vertex were hit where the surface is passed once; only of edge and vertex rays.
+    """
+    self_hits: Rate | None
+    """
+    The triangle that the ray leaves; only of shadow and diffuse rays.
+    """
+    nan_outputs: Rate
+    brute_mismatches: Rate | None
+    """
+    Other bits of t or another id than brute force by the same intersector, on as many rays as is affordable; null where there is none.
+    """
+    t_ulps: TUlps
+    """
+    Error of t of hits against the exact one rounded once; null without hits, and where it is not finite.
+    """
+
+
+class SweepRow(BaseModel):
+    structure: str
+    traversal: str
+    structure_id: str
+    knobs: dict[str, float | str]
+    """
+    All knobs of the traversal.
+    """
+    strict: bool
+    """
+    All knobs are at their defaults.
+    """
+    class_: Annotated[
+        Literal["primary", "shadow", "diffuse", "random", "edge", "vertex"],
+        Field(alias="class"),
+    ]
+    rays: int
+    launch_ms: Statistics
+    """
+    Time of the whole list.
+    """
+    mrays_per_s: float
+    """
+    At the median launch. On a shared machine compare rows of one class of one result.
+    """
+    mrays_per_s_ci95_low: float
+    mrays_per_s_ci95_high: float
+    worst_over_median: float
+    """
+    Slowest launch over the median one.
+    """
+    bytes_per_triangle: float
+    """
+    Of the structure.
+    """
+    steps_per_ray: float | None
+    """
+    Nodes or cells, on evenly spaced rays; null for shadow rays and where the technique cannot count.
+    """
+    error: SweepErrors
+
+
+class InvalidCost(BaseModel):
+    """
+    Time of invalid rays over that of valid rays that meet nothing.
+    """
+
+    structure: str
+    traversal: str
+    ratio: float
+
+
+class HardCase(BaseModel):
+    """
+    One hard case with one technique.
+    """
+
+    number: Annotated[int, Field(ge=1, le=40)]
+    title: str
+    structure: str
+    traversal: str
+    options: dict[str, float | str]
+    """
+    Of the builder.
+    """
+    knobs: dict[str, float | str]
+    strict: bool
+    """
+    The case must hold; of other knobs failures are a figure.
+    """
+    rays: int
+    failures: int
+    nan_outputs: int
+    first_failure: str | None
+    """
+    Ray and triangle as hexadecimal floats, shrunk.
+    """
+    why_not: str | None
+    """
+    Why the case says nothing of the technique; null when it ran.
+    """
+    ms: float
+
+
 class Scene(BaseModel):
     name: Annotated[str, Field(pattern="^[a-z0-9][a-z0-9_-]{0,63}$")]
     """
@@ -800,6 +950,111 @@ class StructureRequest(BaseModel):
     options: dict[str, float | str] | None = None
 
 
+class AccuracySpec(BaseModel):
+    """
+    The forty hard cases, and on a scene speed against error: every technique with every set of knobs on lists of rays, timed in turns and judged by an exact oracle.
+    """
+
+    model_config = ConfigDict(
+        extra="forbid",
+    )
+    scene: Annotated[str | None, Field(pattern="^[a-z0-9][a-z0-9_-]{0,63}$")] = None
+    """
+    Of the sweep; without one there are the hard cases alone.
+    """
+    hard_cases: bool | None = None
+    """
+    Run the hard cases too; when absent, only without a scene.
+    """
+    techniques: Annotated[list[SweepTechnique] | None, Field(max_length=64, min_length=1)] = None
+    """
+    All of the daemon when absent, but baselines and the brute-force oracle.
+    """
+    knob_sets: Annotated[list[dict[str, float | str]] | None, Field(max_length=64, min_length=1)] = None
+    """
+    Options of traversals as GET /v1/kinds lists them; each technique takes the sets whose options it has. When absent every intersector with every slab test, in a quick sweep one changed at a time, and every spawn offset.
+    """
+    classes: Annotated[
+        list[Literal["primary", "shadow", "diffuse", "random", "edge", "vertex"]] | None,
+        Field(max_length=6, min_length=1),
+    ] = ["primary", "shadow", "diffuse", "random", "edge", "vertex"]
+    """
+    Of rays. primary: pixels of walkthrough frames; shadow: from what those hit to a lamp, any hit; diffuse: from what those hit, bounced; random: from points in the bounds; edge, vertex: near triangles, at points of edges and at vertices.
+    """
+    rays: Annotated[int | None, Field(ge=64, le=10000000)] = None
+    """
+    Of each class, roughly; 100000 on a CPU and 1000000 on a GPU when absent, a tenth of it in a quick sweep.
+    """
+    quick: bool | None = False
+    """
+    Fewer rays, launches, sets of knobs and rays of the hard cases.
+    """
+    seed: Annotated[int | None, Field(ge=0, le=4294967295)] = 1
+    time_limit_s: Annotated[float | None, Field(ge=1.0, le=3600.0)] = 3600
+    """
+    After this many seconds what is left is left out and the result says so.
+    """
+
+
+class AccuracyRequest(BaseModel):
+    model_config = ConfigDict(
+        extra="forbid",
+    )
+    kind: Literal["accuracy"]
+    spec: AccuracySpec
+
+
+class JobRequest(RootModel[BenchmarkRequest | AccuracyRequest]):
+    root: Annotated[BenchmarkRequest | AccuracyRequest, Field(discriminator="kind")]
+
+
+class Job(BaseModel):
+    id: str
+    kind: Literal["benchmark", "accuracy"]
+    spec: BenchmarkSpec | AccuracySpec
+    """
+    By the kind.
+    """
+    state: Literal["queued", "running", "validating", "succeeded", "failed", "cancelled", "interrupted"]
+    """
+    Jobs outlive the daemon. One that ran when it crashed is failed (daemon_crashed), or interrupted when it was stopped, and is not run again by itself; queued ones are.
+    """
+    position: Annotated[int, Field(ge=0)]
+    """
+    Jobs before it; 0 when running or ended.
+    """
+    progress: Annotated[float, Field(ge=0.0, le=1.0)]
+    stage: str
+    """
+    What it does now; for people.
+    """
+    frames_done: int | None = None
+    frames_total: int | None = None
+    eta_s: float | None = None
+    """
+    Seconds to the end as estimated; null when unknown.
+    """
+    attempt: Annotated[int, Field(ge=1)]
+    """
+    Grows when the daemon crashed while the job was queued.
+    """
+    result: str | None = None
+    """
+    Id for GET /v1/results when it has succeeded.
+    """
+    error: Problem | None = None
+    created_at: str
+    """
+    RFC 3339 UTC.
+    """
+    started_at: str | None = None
+    ended_at: str | None = None
+
+
+class JobList(BaseModel):
+    jobs: list[Job]
+
+
 class BenchmarkResult(BaseModel):
     schema_version: Literal[1]
     id: str
@@ -813,5 +1068,24 @@ class BenchmarkResult(BaseModel):
     """
     null where the device has no sensors that can be read.
     """
+    stop_reason: Literal["completed", "time_limit"]
+    notes: list[str]
+
+
+class AccuracyResult(BaseModel):
+    schema_version: Literal[1]
+    kind: Literal["accuracy"]
+    id: str
+    created_at: str
+    machine: Machine
+    scene: Scene | None
+    """
+    null for hard cases alone.
+    """
+    spec: AccuracySpec
+    structures: list[Structure]
+    rows: list[SweepRow]
+    invalid_costs: list[InvalidCost]
+    cases: list[HardCase]
     stop_reason: Literal["completed", "time_limit"]
     notes: list[str]

@@ -19,7 +19,7 @@ from rich.progress import (
     TransferSpeedColumn,
 )
 
-from raywalk.models import Job
+from raywalk.models import BenchmarkSpec, Job
 
 LINE_EVERY_S = 5.0
 
@@ -85,8 +85,8 @@ class JobBar:
     def __call__(self, job: Job) -> None:
         if job.id != self._job:
             self._job, self._first, self._compare_from = job.id, None, None
-        if job.state == "validating":
-            return self._compare(job)
+        if job.state == "validating" and isinstance(job.spec, BenchmarkSpec):
+            return self._compare(job, job.spec)
         done, total = job.frames_done or 0, job.frames_total
         note = ""
         if done and job.state == "running":
@@ -98,14 +98,30 @@ class JobBar:
         stage = job.stage if job.state != "queued" else f"queued behind {job.position}"
         self._bar.update(done, total, note, f"{self._what}: {stage}")
 
-    def _compare(self, job: Job) -> None:
+    def _compare(self, job: Job, spec: BenchmarkSpec) -> None:
         """The job tells its progress alone: what is left of it is shared evenly by the frames to compare."""
         self._compare_from = job.progress if self._compare_from is None else self._compare_from
-        spec = job.spec
         frames = min(spec.error_frames or 1, spec.frames or 1)
         total = frames * len(spec.techniques or [None]) * len(spec.modes or [None])
         done = round(total * (job.progress - self._compare_from) / max(1e-9, 1 - self._compare_from))
         self._bar.update(done, total, "compared", f"{self._what}: {job.stage}")
+
+
+class StageBar:
+    """Shows a job that has no frames: its stage and its share of the whole."""
+
+    def __init__(self, inner: Bar, what: str):
+        self._bar, self._what = inner, what
+
+    def __call__(self, job: Job) -> None:
+        stage = job.stage if job.state != "queued" else f"queued behind {job.position}"
+        self._bar.update(round(100 * job.progress), 100, "%", f"{self._what}: {stage}")
+
+
+@contextmanager
+def stage_bar(what: str, console: Console | None = None) -> Iterator[StageBar]:
+    with bar(what, 100, console) as inner:
+        yield StageBar(inner, what)
 
 
 class ByteBars:

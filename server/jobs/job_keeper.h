@@ -2,8 +2,7 @@
 #pragma once
 #include <string>
 
-#include "server/bench/benchmark.h"
-#include "server/bench/job.h"
+#include "server/jobs/job.h"
 
 namespace raywalk {
 
@@ -14,7 +13,7 @@ class JobKeeper {
   /// Inserts or replaces by id. Throws an exception for the job's client when it cannot be kept.
   virtual void keep(const Job& job) = 0;
   /// The same, with its result: both or neither.
-  virtual void keep(const Job& job, const BenchmarkResult& result) = 0;
+  virtual void keep(const Job& job, const JobResult& result) = 0;
   /// And its result. Throws as `keep`.
   virtual void forget(const std::string& id) = 0;
 };

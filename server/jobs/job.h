@@ -1,12 +1,18 @@
-// A benchmark job as it is seen from outside.
+// A job as it is seen from outside: a benchmark, or a measurement of accuracy.
 #pragma once
 #include <exception>
 #include <optional>
 #include <string>
+#include <variant>
 
+#include "server/accuracy/sweep/sweep.h"
 #include "server/bench/benchmark.h"
 
 namespace raywalk {
+
+/// What a job is asked for, and what comes out: the same alternative of both.
+using JobSpec = std::variant<BenchmarkSpec, accuracy::AccuracySpec>;
+using JobResult = std::variant<BenchmarkResult, accuracy::AccuracyResult>;
 
 enum class JobState { queued, running, validating, succeeded, failed, cancelled, interrupted };
 
@@ -14,7 +20,7 @@ enum class JobState { queued, running, validating, succeeded, failed, cancelled,
 struct Job {
   std::string id;
   std::string key;  // Idempotency-Key; empty: none
-  BenchmarkSpec spec;
+  JobSpec spec;
   JobState state = JobState::queued;
   u32 attempt = 1;   // grows when the daemon crashed while the job waited
   u32 position = 0;  // jobs before it; 0 when running or ended

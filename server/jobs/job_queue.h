@@ -1,4 +1,4 @@
-// Benchmark jobs: a bounded queue and the one thread that works it off.
+// Jobs: a bounded queue and the one thread that works it off.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -12,16 +12,14 @@
 #include <thread>
 #include <vector>
 
-#include "server/bench/benchmark.h"
-#include "server/bench/job.h"
-#include "server/bench/job_keeper.h"
+#include "server/jobs/job.h"
+#include "server/jobs/job_keeper.h"
 
 namespace raywalk {
 
 class JobQueue {
  public:
-  using Run =
-      std::function<BenchmarkResult(const BenchmarkSpec&, const std::function<void(const BenchmarkProgress&)>&)>;
+  using Run = std::function<JobResult(const JobSpec&, const std::function<void(const BenchmarkProgress&)>&)>;
   static constexpr std::size_t kMaxQueued = 64;
   static constexpr std::size_t kMaxEnded = 256;  // of more, those that ended first are forgotten
 
@@ -43,7 +41,7 @@ class JobQueue {
   };
   /// `key` may be empty. Throws Refusal queue_full, idempotency_key_reused for another spec under a known key, and what
   /// the keeper throws.
-  Submitted submit(BenchmarkSpec spec, const std::string& key);
+  Submitted submit(JobSpec spec, const std::string& key);
 
   /// Newest first.
   std::vector<Job> list() const;
@@ -66,7 +64,7 @@ class JobQueue {
   void loop();
   void work_on(Entry& entry);
   void report(Entry& entry, const BenchmarkProgress& progress);
-  void succeed(Entry& entry, const BenchmarkResult& result);
+  void succeed(Entry& entry, const JobResult& result);
   void finish(Entry& entry, JobState state);
   void keep(const Job& job);
   void note_end(Entry& entry);

@@ -1,5 +1,5 @@
 // States of jobs, each told to the keeper, and their one worker.
-#include "server/bench/job_queue.h"
+#include "server/jobs/job_queue.h"
 
 #include <spdlog/spdlog.h>
 
@@ -69,7 +69,7 @@ JobQueue::~JobQueue() {
   if (thread_.joinable()) thread_.join();
 }
 
-JobQueue::Submitted JobQueue::submit(BenchmarkSpec spec, const std::string& key) {
+JobQueue::Submitted JobQueue::submit(JobSpec spec, const std::string& key) {
   const std::lock_guard lock(mutex_);
   if (const auto known = keys_.find(key); !key.empty() && known != keys_.end()) {
     const Entry& entry = entry_of(known->second);
@@ -216,7 +216,7 @@ void JobQueue::forget_old() {
 }
 
 /// Writing a large result takes its time: the queue is not locked meanwhile.
-void JobQueue::succeed(Entry& entry, const BenchmarkResult& result) {
+void JobQueue::succeed(Entry& entry, const JobResult& result) {
   std::unique_lock lock(mutex_);
   Job done = ended_as(entry.job, JobState::succeeded);
   lock.unlock();
@@ -264,7 +264,8 @@ void JobQueue::loop() {
     keep(entry->job);
     changed_.notify_all();
     lock.unlock();
-    spdlog::info("job {} started: scene={}", entry->job.id, entry->job.spec.scene);
+    spdlog::info("job {} started: scene={}", entry->job.id,
+                 std::visit([](const auto& spec) -> const std::string& { return spec.scene; }, entry->job.spec));
     work_on(*entry);
     lock.lock();
   }

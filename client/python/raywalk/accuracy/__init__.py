@@ -1,0 +1,1 @@
+"""Speed against error: points, chart and tables of measurements of accuracy."""
