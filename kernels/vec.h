@@ -54,6 +54,14 @@ RW_FN bool is_finite(Vec3 a) {
   return is_finite(a.x) && is_finite(a.y) && is_finite(a.z);
 }
 
+/// |a|, at least `floor`, with the sign of a.
+RW_FN float away_from_zero(float a, float floor) {
+  return float_of(bits_of(larger(magnitude(a), floor)) | (bits_of(a) & 0x80000000u));
+}
+RW_FN Vec3 away_from_zero(Vec3 a, float floor) {
+  return {away_from_zero(a.x, floor), away_from_zero(a.y, floor), away_from_zero(a.z, floor)};
+}
+
 /// a*b - c*d with an error of at most 1.5 ulp and therefore the exact sign, barring underflow (Kahan's difference of
 /// products).
 RW_FN float difference_of_products(float a, float b, float c, float d) {

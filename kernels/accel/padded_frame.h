@@ -64,13 +64,6 @@ struct LocalRay {
   RW_FN float limit(float tmax) const { return fma(tmax, scale, rest); }
 };
 
-/// |a|, at least `floor`, with the sign of a.
-RW_FN float away_from_zero(float a, float floor) {
-  return float_of(bits_of(larger(magnitude(a), floor)) | (bits_of(a) & 0x80000000u));
-}
-RW_FN Vec3 away_from_zero(Vec3 a, float floor) {
-  return {away_from_zero(a.x, floor), away_from_zero(a.y, floor), away_from_zero(a.z, floor)};
-}
 /// The magnitude of `a`, which is not negative, with the sign of `b`.
 RW_FN Vec3 with_signs(Vec3 a, Vec3 b) {
   return {float_of(bits_of(a.x) | (bits_of(b.x) & 0x80000000u)), float_of(bits_of(a.y) | (bits_of(b.y) & 0x80000000u)),

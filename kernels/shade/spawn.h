@@ -19,7 +19,7 @@ RW_FN Vec3 normal_towards(const Surface& s, Vec3 d) {
 struct ErrorBoundOffset {
   RW_FN static Vec3 origin(const Surface& s, Vec3 d) {
     const Vec3 n = detail::normal_towards(s, d);
-    const Vec3 p = fma(dot(magnitude(n), s.error) + s.slack, n, s.position);
+    const Vec3 p = fma(fma(3.0f, dot(magnitude(n), s.error), 2.4f * s.slack), n, s.position);
     const auto away = [](float value, float direction) {
       if (direction == 0.0f || value == 0.0f) return value;
       return float_of(bits_of(value) + ((value > 0.0f) == (direction > 0.0f) ? 1u : 0xffffffffu));

@@ -10,8 +10,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "kernels/accel/bvh/compress.h"
 #include "kernels/accel/bvh/layout.h"
 #include "kernels/accel/bvh/split.h"
+#include "kernels/accel/slab.h"
 
 namespace raywalk::bvh {
 namespace {
@@ -86,8 +88,14 @@ float rounded_up(double a) {
 /// Numbers the nodes depth first, left before right, and makes their boxes relative to the centre.
 class Packer {
  public:
-  Packer(const Tree& tree, const Config& config, const Box& bounds, BuildStats& stats)
-      : tree_(tree), config_(config), centre_(bounds.centre()), area_(bounds.area()), stats_(stats) {}
+  Packer(std::span<const Reference> references, const Tree& tree, const Config& config, const Box& bounds,
+         BuildStats& stats)
+      : references_(references),
+        tree_(tree),
+        config_(config),
+        centre_(bounds.centre()),
+        area_(bounds.area()),
+        stats_(stats) {}
 
   u32 count(Child c, const Box& box, u32 depth) {
     // Scenes without area have no meaningful cost.
@@ -106,24 +114,40 @@ class Packer {
     return 1 + left + count(node.child[1], node.box[1], depth + 1);
   }
 
-  Child pack(Child c, std::span<Node> nodes) {
-    if (is_leaf(c)) return c;
+  Child pack(Child c, std::span<Node> nodes) { return pack_padded(c, nodes).child; }
+
+ private:
+  struct Packed {
+    Child child;
+    double padding;  // of its box, for the largest of its triangles
+  };
+
+  Packed pack_padded(Child c, std::span<Node> nodes) {
+    if (is_leaf(c)) return {c, padding_of(references_.subspan(leaf_first(c), leaf_count(c)))};
     const ScratchNode& from = tree_[c];
     const u32 index = used_++;
+    const Packed left = pack_padded(from.child[0], nodes), right = pack_padded(from.child[1], nodes);
     Node& node = nodes[index];
     for (u32 axis = 0; axis < 3; ++axis) {
       const double centre = centre_[axis];
-      node.planes[axis] =
-          Float4{rounded_down(from.box[0].lo[axis] - centre), rounded_down(from.box[1].lo[axis] - centre),
-                 rounded_up(from.box[0].hi[axis] - centre), rounded_up(from.box[1].hi[axis] - centre)};
+      node.planes[axis] = Float4{rounded_down(from.box[0].lo[axis] - centre - left.padding),
+                                 rounded_down(from.box[1].lo[axis] - centre - right.padding),
+                                 rounded_up(from.box[0].hi[axis] - centre + left.padding),
+                                 rounded_up(from.box[1].hi[axis] - centre + right.padding)};
     }
     node.pad[0] = node.pad[1] = 0;
-    node.child[0] = pack(from.child[0], nodes);
-    node.child[1] = pack(from.child[1], nodes);
-    return index;
+    node.child[0] = left.child;
+    node.child[1] = right.child;
+    return {index, std::max(left.padding, right.padding)};
   }
 
- private:
+  static double padding_of(std::span<const Reference> triangles) {
+    float extent = 0;
+    for (const Reference& t : triangles) extent = std::max(extent, largest(t.hi - t.lo));
+    return double{extent} * kTrianglePadding;
+  }
+
+  std::span<const Reference> references_;
   const Tree& tree_;
   const Config& config_;
   Vec3 centre_;
@@ -182,12 +206,12 @@ void check(SceneView scene, const Config& config) {
 BuiltStructure build(SceneView scene, const Config& config) {
   const auto start = std::chrono::steady_clock::now();
   check(scene, config);
-  BuiltStructure built{{}, {}, {config.triangles}};
+  BuiltStructure built{{}, {}, {config.triangles, static_cast<u32>(config.nodes)}};
   std::vector<Reference> references = finite_references(scene);
   const u32 count = static_cast<u32>(references.size());
   const Box bounds = bounds_of(references);
   Tree tree(references, config);
-  Packer packer(tree, config, bounds, built.stats);
+  Packer packer(references, tree, config, bounds, built.stats);
   Child root = kLeafBit;
   u32 inner_nodes = 0;
   if (count > 0) {
@@ -196,7 +220,10 @@ BuiltStructure build(SceneView scene, const Config& config) {
   }
 
   BlobPlan plan(sizeof(Header));
-  const Slice<Node> node_slice = plan.add<Node>(inner_nodes);
+  const auto nodes_of = [&](NodeFormat format) { return config.nodes == format ? inner_nodes : 0; };
+  const Slice<Node> nodes = plan.add<Node>(nodes_of(NodeFormat::floats));
+  const Slice<HalfNode> halves = plan.add<HalfNode>(nodes_of(NodeFormat::halves));
+  const Slice<ByteNode> bytes = plan.add<ByteNode>(nodes_of(NodeFormat::bytes));
   const Slice<Corners> corners = plan.add<Corners>(config.triangles == TriangleRecords::corners ? count : 0);
   const Slice<Transform> transforms = plan.add<Transform>(config.triangles == TriangleRecords::transforms ? count : 0);
   built.blob = plan.allocate();
@@ -204,10 +231,21 @@ BuiltStructure build(SceneView scene, const Config& config) {
   // Alignment gaps are zero, so that equal structures are equal bytes.
   std::memset(built.blob.data(), 0, sizeof(Header));
   std::memset(built.blob.data() + size_bytes - kBlobAlignment, 0, kBlobAlignment);
-  root = packer.pack(root, slice_of(built.blob, node_slice));
+  const float half_extent = count > 0 ? half_extent_of(bounds) : 0.0f, unit = unit_of_halves(half_extent);
+  if (config.nodes == NodeFormat::floats) {
+    root = packer.pack(root, slice_of(built.blob, nodes));
+  } else {
+    std::vector<Node> precise(inner_nodes);
+    root = packer.pack(root, precise);
+    compress(precise, unit, slice_of(built.blob, halves));
+    compress(precise, slice_of(built.blob, bytes));
+  }
   write_triangles(scene, references, slice_of(built.blob, corners), slice_of(built.blob, transforms));
   Header& header = *reinterpret_cast<Header*>(built.blob.data());
-  header.nodes = node_slice;
+  header.nodes_offset = nodes.count > 0 ? nodes.offset : halves.count > 0 ? halves.offset : bytes.offset;
+  header.node_count = inner_nodes;
+  header.format = built.form.nodes;
+  header.unit = unit;
   header.triangles_offset = corners.count > 0 ? corners.offset : transforms.offset;
   header.triangle_count = count;
   header.bounds = bounds;
@@ -215,7 +253,7 @@ BuiltStructure build(SceneView scene, const Config& config) {
   header.depth = built.stats.max_depth;
   if (count > 0) {
     header.centre = bounds.centre();
-    header.half_extent = half_extent_of(bounds);
+    header.half_extent = half_extent;
   }
   built.stats.size_bytes = size_bytes;
   built.stats.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -5,12 +5,16 @@
 
 namespace raywalk::bvh {
 
+/// Rows of RW_NODE_FORMATS.
+enum class NodeFormat : u32 { floats, halves, bytes };
+
 struct Config {
   u32 bins = 32;  // candidate planes an axis, at most kMaxBins
   u32 max_leaf = 4;
   float traversal_cost = 1.0f;     // of a step through an inner node
   float intersection_cost = 1.0f;  // of a triangle test
   TriangleRecords triangles = TriangleRecords::corners;
+  NodeFormat nodes = NodeFormat::floats;
 };
 
 /// Leaves non-finite triangles out. The blob is the same, byte for byte, whatever the number of threads.

@@ -7,6 +7,11 @@
 namespace raywalk::bvh {
 namespace {
 
+#define RW_NODES_HELP(type, name, help) "; " name ": " help
+constexpr std::string_view kNodesHelp = "precision of the nodes, hits are the same" RW_NODE_FORMATS(RW_NODES_HELP);
+#undef RW_NODES_HELP
+#define RW_NODES_NAME(type, name, help) name,
+
 BuiltStructure build_with(SceneView scene, const OptionValues& options) {
   Config config;
   config.bins = static_cast<u32>(options.at("bins"));
@@ -14,6 +19,7 @@ BuiltStructure build_with(SceneView scene, const OptionValues& options) {
   config.traversal_cost = static_cast<float>(options.at("traversal_cost"));
   config.intersection_cost = static_cast<float>(options.at("intersection_cost"));
   config.triangles = triangles_of(options);
+  config.nodes = static_cast<NodeFormat>(static_cast<u32>(options.at("nodes")));
   return build(scene, config);
 }
 
@@ -46,7 +52,8 @@ const Kind& kind() {
                    .default_value = defaults.intersection_cost,
                    .min = 0.01,
                    .max = 100},
-                  triangles_option()},
+                  triangles_option(),
+                  {.name = "nodes", .help = kNodesHelp, .integer = true, .choices = {RW_NODE_FORMATS(RW_NODES_NAME)}}},
       .build = build_with,
   };
   return bvh;

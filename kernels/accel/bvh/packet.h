@@ -13,14 +13,15 @@ namespace raywalk::bvh::packet {
 /// of different signs run through the same instructions: near = smaller(low, high).
 template <class Slab, u32 N>
 struct Slabs {
-  float inverse[3][N], low[3][N], high[3][N];
+  float inverse_low[3][N], inverse_high[3][N], low[3][N], high[3][N];
   float tmin[N], tmax[N];  // tmax below tmin: the lane has finished
 
   RW_FN void set(u32 lane, const Ray& ray, const Header& header) {
     const SlabRay s = slab_ray<Slab>(ray, header.centre, header.half_extent);
     for (u32 axis = 0; axis < 3; ++axis) {
       const bool ascending = bits_of(s.inverse[axis]) >> 31 == 0;
-      inverse[axis][lane] = s.inverse[axis];
+      inverse_low[axis][lane] = ascending ? s.inverse[axis] : s.inverse_far[axis];
+      inverse_high[axis][lane] = ascending ? s.inverse_far[axis] : s.inverse[axis];
       low[axis][lane] = ascending ? s.near[axis] : s.far[axis];
       high[axis][lane] = ascending ? s.far[axis] : s.near[axis];
     }
@@ -43,8 +44,9 @@ struct Votes {
 };
 
 /// The votes of a thread's lanes on a node. A lane that needs neither child has no say in the order.
-template <class Slab, u32 N>
-RW_FN void choose(const Slabs<Slab, N>& s, const Node& node, u32* votes) {
+template <class Slab, u32 N, class NodeT>
+RW_FN void choose(const Slabs<Slab, N>& s, const NodeT& node, float unit, u32* votes) {
+  const Float4 rows[3] = {node.row(0, unit), node.row(1, unit), node.row(2, unit)};
   float entry[2][N], exit[2][N];
   for (u32 side = 0; side < 2; ++side) {
     for (u32 i = 0; i < N; ++i) {
@@ -52,12 +54,12 @@ RW_FN void choose(const Slabs<Slab, N>& s, const Node& node, u32* votes) {
       exit[side][i] = s.tmax[i];
     }
     for (u32 axis = 0; axis < 3; ++axis) {
-      const float lo = node.planes[axis][side], hi = node.planes[axis][side + 2];
+      const float lo = rows[axis][side], hi = rows[axis][side + 2];
       for (u32 i = 0; i < N; ++i) {
-        const float a = crossing<Slab>(lo, s.inverse[axis][i], s.low[axis][i]);
-        const float b = crossing<Slab>(hi, s.inverse[axis][i], s.high[axis][i]);
+        const float a = crossing<Slab>(lo, s.inverse_low[axis][i], s.low[axis][i]);
+        const float b = crossing<Slab>(hi, s.inverse_high[axis][i], s.high[axis][i]);
         if constexpr (Slab::kInfinities) {  // a NaN is dropped only if it is known which side it belongs to
-          const bool ascending = s.inverse[axis][i] > 0.0f;
+          const bool ascending = s.inverse_low[axis][i] > 0.0f;
           entry[side][i] = larger(ascending ? a : b, entry[side][i]);
           exit[side][i] = smaller(ascending ? b : a, exit[side][i]);
         } else {
@@ -84,7 +86,8 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray* rays, const 
   static_assert(LanesT::kCount <= Votes::kMaxLanes);
   const Header& header = header_of<Header>(blob);
   if (header.triangle_count == 0) return;
-  const Node* nodes = data_of(blob, header.nodes);
+  using NodeT = typename Query::Knobs::Nodes::Node;
+  const NodeT* nodes = data_of(blob, header.nodes<NodeT>());
   const auto* triangles = data_of(blob, header.triangles<typename Query::Record>());
 
   Slabs<typename Query::Knobs::Slab, kLocal> slabs = {};
@@ -127,9 +130,9 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray* rays, const 
         }
       }
     } else {
-      const Node& node = nodes[at];
+      const NodeT& node = nodes[at];
       u32 lane_votes[kLocal];
-      choose(slabs, node, lane_votes);
+      choose(slabs, node, header.unit, lane_votes);
       for (u32 i = 0; i < kLocal; ++i) {
         if (going[i]) counters[i].step();
       }

@@ -39,17 +39,18 @@ RW_FN float earlier(float t, float exit) {
   return float_of(static_cast<u32>(::min(static_cast<i32>(bits_of(t)), static_cast<i32>(bits_of(exit)))));
 }
 
-template <class Slab>
-RW_FN PairEntries entries_of(const PairSlabs<Slab>& s, const Node& node, PairLimits limits) {
+template <class Slab, class NodeT>
+RW_FN PairEntries entries_of(const PairSlabs<Slab>& s, const NodeT& node, float unit, PairLimits limits) {
   float entry[2] = {limits.tmin, limits.tmin}, exit[2] = {limits.tmax, limits.tmax};
   for (u32 axis = 0; axis < 3; ++axis) {
-    const Float4 p = node.planes[axis];
-    const float inverse = s.inverse[axis], near = s.near[axis], far = s.far[axis];
+    const Float4 p = node.row(axis, unit);
+    const float inverse = s.inverse[axis], inverse_far = s.inverse_far[axis];
+    const float near = s.near[axis], far = s.far[axis];
     const bool ascending = bits_of(inverse) >> 31 == 0;
     entry[0] = later<Slab>(crossing<Slab>(ascending ? p.x : p.z, inverse, near), entry[0]);
     entry[1] = later<Slab>(crossing<Slab>(ascending ? p.y : p.w, inverse, near), entry[1]);
-    exit[0] = earlier<Slab>(crossing<Slab>(ascending ? p.z : p.x, inverse, far), exit[0]);
-    exit[1] = earlier<Slab>(crossing<Slab>(ascending ? p.w : p.y, inverse, far), exit[1]);
+    exit[0] = earlier<Slab>(crossing<Slab>(ascending ? p.z : p.x, inverse_far, far), exit[0]);
+    exit[1] = earlier<Slab>(crossing<Slab>(ascending ? p.w : p.y, inverse_far, far), exit[1]);
   }
   return {entry[0], entry[1], entry[0] <= widened<Slab>(exit[0]), entry[1] <= widened<Slab>(exit[1])};
 }
@@ -64,14 +65,12 @@ struct PairSlabs {
 
   RW_FN PairSlabs(const Ray& ray, const Header& header) {
     const SlabRay s = slab_ray<Slab>(ray, header.centre, header.half_extent);
-    set(0, s.inverse.x, s.near.x, s.far.x);
-    set(1, s.inverse.y, s.near.y, s.far.y);
-    set(2, s.inverse.z, s.near.z, s.far.z);
+    for (u32 axis = 0; axis < 3; ++axis) set(axis, s.inverse[axis], s.inverse_far[axis], s.near[axis], s.far[axis]);
   }
 
  private:
-  RW_FN void set(u32 axis, float inv, float near, float far) {
-    inverse[axis] = Float4{inv, inv, -inv, -inv};
+  RW_FN void set(u32 axis, float inv, float inv_far, float near, float far) {
+    inverse[axis] = Float4{inv, inv, -inv_far, -inv_far};
     offset[axis] = Slab::kInfinities ? Float4{near, near, far, far} : Float4{near, near, -far, -far};
     swap[axis] = half_swap(inv < 0.0f);
   }
@@ -82,19 +81,18 @@ struct PairLimits {
   RW_FN PairLimits(float tmin, float tmax) : values{tmin, tmin, -tmax, -tmax} {}
 };
 
-template <class Slab>
-RW_FN PairEntries entries_of(const PairSlabs<Slab>& s, const Node& node, const PairLimits& limits) {
+template <class Slab, class NodeT>
+RW_FN PairEntries entries_of(const PairSlabs<Slab>& s, const NodeT& node, float unit, const PairLimits& limits) {
   const auto crossings = [&](u32 axis) {
-    const Float4 planes = swapped(node.planes[axis], s.swap[axis]);
+    const Float4 planes = swapped(node.row(axis, unit), s.swap[axis]);
     if constexpr (Slab::kInfinities) return (planes - s.offset[axis]) * s.inverse[axis];
     return fma(planes, s.inverse[axis], s.offset[axis]);
   };
   const Float4 x = crossings(0), y = crossings(1), z = crossings(2);
   Float4 t;
   if constexpr (Slab::kInfinities) {  // one after the other, so that a NaN is dropped
-    t = larger(x, larger(y, larger(z, limits.values)));
     const float far = widened<Slab>(1.0f);
-    t = t * Float4{1.0f, 1.0f, far, far};
+    t = larger(x, larger(y, larger(z, limits.values))) * Float4{1.0f, 1.0f, far, far};
   } else {
     t = larger(larger(x, y), larger(z, limits.values));
   }

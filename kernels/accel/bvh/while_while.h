@@ -16,7 +16,8 @@ template <class Query, class Counter>
 RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray& ray, Query& query, Counter& counter) {
   const Header& header = header_of<Header>(blob);
   if (header.triangle_count == 0) return;
-  const Node* nodes = data_of(blob, header.nodes);
+  using NodeT = typename Query::Knobs::Nodes::Node;
+  const NodeT* nodes = data_of(blob, header.nodes<NodeT>());
   const auto* triangles = data_of(blob, header.triangles<typename Query::Record>());
   const PairSlabs<typename Query::Knobs::Slab> slabs(ray, header);
   PairLimits limits{query.tmin, query.tmax()};
@@ -27,9 +28,9 @@ RW_FN void traverse(const u8* blob, SceneView /*scene*/, const Ray& ray, Query& 
     bool missed = false;
     while (!is_leaf(at)) {
       counter.step();
-      const Node& node = nodes[at];
+      const NodeT& node = nodes[at];
       const Child left = node.child[0], right = node.child[1];
-      const PairEntries t = entries_of(slabs, node, limits);
+      const PairEntries t = entries_of(slabs, node, header.unit, limits);
       if (t.meets_left && t.meets_right) {
         // Near first pays for any hit as well: an occluder is met sooner.
         const bool left_first = t.left <= t.right;
