@@ -6,7 +6,8 @@
 namespace raywalk {
 
 /// The three vertices of one triangle with its id, 48 bytes, so that a structure may keep copies in its own order.
-/// A triangle with a NaN or infinite vertex stays in place and is never hit: ids do not shift.
+/// A triangle with a NaN or infinite vertex stays in place and is never hit: ids do not shift. One without an area has
+/// NaN vertices here.
 struct alignas(16) Corners {
   Vec3 a;
   u32 id;

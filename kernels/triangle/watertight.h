@@ -48,8 +48,9 @@ RW_FN u32 sign_on_edge(float px, float py, float qx, float qy) {
 /// Writes t, u, v and returns true when the line of the ray meets the triangle. Of triangles that share an edge or a
 /// vertex, the line through it meets as many as if it passed beside it; so at the border of a surface it meets one or
 /// none.
-/// The caller compares t with the interval. Degenerate and non-finite triangles are never met, nor are ones whose
-/// squared extent is no float (below 1e-19 or above 1e19 across).
+/// The caller compares t with the interval. Non-finite triangles and those with two equal vertices are never met, nor
+/// are ones whose squared extent is no float (below 1e-19 or above 1e19 across). Three vertices on a line are taken out
+/// of a scene when it is packed: rounded, they may enclose an area.
 RW_FN bool intersect(const Watertight& ray, const Corners& triangle, float& t, float& u, float& v) {
   // Components are read by address: cheaper than selecting among values.
   const float *a = &triangle.a.x, *b = &triangle.b.x, *c = &triangle.c.x;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 
 #include "kernels/features.h"
+#include "server/scene/degenerate.h"
 #include "server/scene/mip_levels.h"
 #include "server/system/sha256.h"
 
@@ -16,8 +18,12 @@ bool any(Vec3 colour) {
   return colour.x > 0.0f || colour.y > 0.0f || colour.z > 0.0f;
 }
 
+/// A triangle without an area becomes one without vertices: seen obliquely its corners round to something that has one.
 Corners corners_of(const Scene& scene, const TriangleIndices& t, u32 id) {
-  return {scene.positions[t.a], id, scene.positions[t.b], 0, scene.positions[t.c], 0};
+  const Corners corners{scene.positions[t.a], id, scene.positions[t.b], 0, scene.positions[t.c], 0};
+  if (!is_finite(corners) || !is_degenerate(corners)) return corners;
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  return {{kNan, kNan, kNan}, id, {kNan, kNan, kNan}, 0, {kNan, kNan, kNan}, 0};
 }
 
 void check(const Scene& scene) {

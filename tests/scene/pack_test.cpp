@@ -1,6 +1,7 @@
 // Packing into the kernel blob, features, hashes.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "kernels/features.h"
@@ -40,6 +41,30 @@ TEST(Pack, leaves_out_of_the_bounds_what_is_not_finite) {
   const Blob blob = pack(scene);
   EXPECT_EQ(blob.header<SceneHeader>().bounds.hi, (Vec3{1, 2, 0}));
   EXPECT_EQ(blob.header<SceneHeader>().corners.count, 2u);
+}
+
+TEST(Pack, takes_away_triangles_without_an_area) {
+  const auto taken = [](Vec3 a, Vec3 b, Vec3 c) {
+    Scene scene = two_triangles();
+    scene.positions = {a, b, c, {0, 0, 9}};
+    scene.triangles = {{0, 1, 2, 0}};
+    const Blob blob = pack(scene);
+    const Corners& corners = SceneView{blob.data()}.corners()[0];
+    EXPECT_EQ(corners.id, 0u);
+    EXPECT_EQ(is_finite(corners), !blob.header<SceneHeader>().bounds.empty());
+    return !is_finite(corners);
+  };
+  EXPECT_TRUE(taken({1, 2, 3}, {1, 2, 3}, {1, 2, 3}));
+  EXPECT_TRUE(taken({1, 2, 3}, {1, 2, 3}, {4, 0, 1}));
+  EXPECT_TRUE(taken({0, 2, 2}, {0, 3, 3}, {0, 0, 0}));
+  EXPECT_TRUE(taken({0.1f, 0.1f, 0.1f}, {0.2f, 0.2f, 0.2f}, {0.4f, 0.4f, 0.4f}));
+  EXPECT_TRUE(taken({1e30f, 0, 0}, {2e30f, 0, 0}, {3e30f, 0, 0}));
+  EXPECT_TRUE(taken({1e6f, 1e6f, 0}, {1e6f + 1, 1e6f + 1, 1e-3f}, {1e6f + 2, 1e6f + 2, 2e-3f}));
+  // One ulp beside the line, and slivers.
+  EXPECT_FALSE(taken({0.1f, 0.1f, 0.1f}, {0.2f, 0.2f, std::nextafter(0.2f, 1.0f)}, {0.4f, 0.4f, 0.4f}));
+  EXPECT_FALSE(taken({0, 0, 0}, {1e6f, 0, 0}, {5e5f, 1e-6f, 0}));
+  EXPECT_FALSE(taken({1e6f, 1e6f, 0}, {1e6f + 1, 1e6f + 1, 1e-20f}, {1e6f + 2, 1e6f + 2, 3e-20f}));
+  EXPECT_FALSE(taken({0, 0, 0}, {1e-30f, 0, 0}, {0, 1e-30f, 0}));
 }
 
 TEST(Pack, refuses_indices_out_of_range) {
