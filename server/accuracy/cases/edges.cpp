@@ -27,7 +27,7 @@ std::vector<Ray> aimed_rays(Aim aim, const Mesh& mesh, const std::vector<Vec3>& 
 
 void aimed_from_inside(Exam& exam, Aim aim) {
   const std::vector<Placed>& meshes = exam.store().get("meshes", [&] { return placed_meshes(exam.random(0)); });
-  const u32 count = exam.count(1'000'000 / meshes.size());
+  const u32 count = exam.own_count(1'000'000 / meshes.size());
   for (u32 i = 0; i < meshes.size(); ++i) {
     const Placed& mesh = meshes[i];
     if (!mesh.inside.empty()) {
@@ -36,7 +36,8 @@ void aimed_from_inside(Exam& exam, Aim aim) {
     }
     judge(exam, *exam.store().get("folded " + mesh.name, [&] {
       return make_trial(mesh.name, mesh.mesh,
-                        aimed_rays(aim, mesh.mesh, {mesh.centre}, std::min(count, kJudged), exam.random(i + 1)));
+                        aimed_rays(aim, mesh.mesh, {mesh.centre},
+                                   std::min(exam.count(1'000'000 / meshes.size()), kJudged), exam.random(i + 1)));
     }));
   }
 }
@@ -54,7 +55,7 @@ void aimed_at_vertices(Exam& exam) {
 void spiky_sphere(Exam& exam) {
   const Placed& sphere = exam.store().get(
       "sphere", [&] { return placed("spiky sphere", spiky_mesh(exam.random(0)), 1.0f, 0.0f, 0.05f, exam.random(1)); });
-  const u32 count = exam.count(100'000);
+  const u32 count = exam.own_count(100'000);
   Random random = exam.random(2);
   std::vector<Ray> rays = aimed_rays(Aim::vertices, sphere.mesh, sphere.inside, count, exam.random(3));
   for (u32 i = 0; i < count; ++i) {

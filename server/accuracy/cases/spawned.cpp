@@ -94,7 +94,7 @@ void spawned_at_all_sizes(Exam& exam) {
     const SceneBlob& scene = exam.store().get(std::to_string(decade), [&] {
       return scene_of(transformed(random_soup(exam.seed(decade), kTriangles, 0.5f), size, Vec3{3, -2, 1} * size));
     });
-    spawn_many(exam, scene, exam.count(4'000'000 / kDecades), exam.random(100 + decade), met_itself);
+    spawn_many(exam, scene, exam.own_count(4'000'000 / kDecades), exam.random(100 + decade), met_itself);
   }
 }
 
@@ -106,7 +106,7 @@ void close_shells(Exam& exam) {
     return scene_of(mesh);
   });
   const u32 shell = static_cast<u32>(inner.size());
-  spawn_many(exam, scene, exam.count(3'000'000), exam.random(1),
+  spawn_many(exam, scene, exam.own_count(3'000'000), exam.random(1),
              [&](const Ray& ray, const Corners& from, const Hit& hit) {
                if (hit.id == from.id) return std::string("meets itself");
                const double side = double{dot(ray.d, from.a)};  // the facet faces away from the centre
@@ -153,7 +153,7 @@ void spawned_far_from_the_origin(Exam& exam) {
         return scene_of(transformed(coarse_sphere(1.0f), scale, Vec3{1, -0.3f, 0.5f} * offset));
       });
       const u32 stream = static_cast<u32>(10 * decade + k);
-      spawn_many(exam, scene, exam.count(3'000'000 / 18), exam.random(stream), met_itself);
+      spawn_many(exam, scene, exam.own_count(3'000'000 / 18), exam.random(stream), met_itself);
     }
   }
 }
