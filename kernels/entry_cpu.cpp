@@ -8,11 +8,13 @@
 namespace raywalk {
 namespace {
 
-const TraceFunctions& functions_of(const TraceTable& table, const Knobs& knobs) {
-  return table.plain[knobs.intersector][knobs.slab];
-}
-const TraceFunctions& counting_functions_of(const TraceTable& table, const Knobs& knobs) {
-  return table.counting[knobs.intersector][knobs.slab];
+/// Those for the target's knobs and for the nodes of its structure.
+template <class Traversal>
+const TraceTable::Functions& functions_of(const TraceTarget& target) {
+  u32 format = 0;
+  if constexpr ((Traversal::kKnobs & kKnobSlab) != 0)
+    format = header_of<bvh::Header>(static_cast<const u8*>(target.structure)).format;
+  return trace_table<Traversal>().functions[format][target.knobs.intersector][target.knobs.slab];
 }
 
 /// The rays of a pixel block together, so that a call by pointer costs nothing.
@@ -58,7 +60,7 @@ void in_pieces(u64 count, Work work) {
 
 template <class Traversal>
 void closest(const TraceTarget& target, const Ray* rays, u64 count, Hit* hits) {
-  const TraceFunctions& functions = functions_of(trace_table<Traversal>(), target.knobs);
+  const TraceFunctions& functions = functions_of<Traversal>(target).plain;
   in_pieces(count, [&](u64 first, u64, const bool* active) {
     functions.closest(target, rays + first, active, kBlockRays, hits + first, nullptr);
   });
@@ -66,7 +68,7 @@ void closest(const TraceTarget& target, const Ray* rays, u64 count, Hit* hits) {
 
 template <class Traversal>
 void occluded(const TraceTarget& target, const Ray* rays, u64 count, u8* out) {
-  const TraceFunctions& functions = functions_of(trace_table<Traversal>(), target.knobs);
+  const TraceFunctions& functions = functions_of<Traversal>(target).plain;
   in_pieces(count, [&](u64 first, u64 here, const bool* active) {
     bool flags[kBlockRays];
     functions.occluded(target, rays + first, active, kBlockRays, flags, nullptr);
@@ -76,7 +78,7 @@ void occluded(const TraceTarget& target, const Ray* rays, u64 count, u8* out) {
 
 template <class Traversal>
 void count_rays(const TraceTarget& target, const Ray* rays, u64 count, Counts* counts) {
-  const TraceFunctions& functions = counting_functions_of(trace_table<Traversal>(), target.knobs);
+  const TraceFunctions& functions = functions_of<Traversal>(target).counting;
   in_pieces(count, [&](u64 first, u64 here, const bool* active) {
     Hit hits[kBlockRays];
     Counts work[kBlockRays] = {};
@@ -87,13 +89,13 @@ void count_rays(const TraceTarget& target, const Ray* rays, u64 count, Counts* c
 
 template <class Traversal>
 void frame(const TraceTarget& target, const FrameArgs& args, Tile tile, Vec3* pixels) {
-  BlockTracer tracer{functions_of(trace_table<Traversal>(), target.knobs), target};
+  BlockTracer tracer{functions_of<Traversal>(target).plain, target};
   shade(tracer, args, tile, [&](u32 x, u32 y, Vec3 color) { pixels[u64{y} * args.width + x] = color; });
 }
 
 template <class Traversal>
 Counts count_frame(const TraceTarget& target, const FrameArgs& args, Tile tile) {
-  BlockTracer tracer{counting_functions_of(trace_table<Traversal>(), target.knobs), target};
+  BlockTracer tracer{functions_of<Traversal>(target).counting, target};
   shade(tracer, args, tile, [](u32, u32, Vec3) {});
   Counts sum{};
   for (const Counts& counts : tracer.counts) sum += counts;

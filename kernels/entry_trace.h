@@ -1,6 +1,8 @@
 // Host only: traversals compiled for the CPU, once for each pair of triangle test and box test. A file
 // entry_trace_*.cpp holds those of one structure, so that they compile side by side.
 #pragma once
+#include <algorithm>
+#include <iterator>
 #include <type_traits>
 
 #include "kernels/accel/traversals.h"
@@ -20,11 +22,16 @@ struct TraceFunctions {
 #define RW_COUNT_ROW(type, name, help) +1
 constexpr u32 kIntersectors = 0 RW_INTERSECTORS(RW_COUNT_ROW);
 constexpr u32 kSlabTests = 0 RW_SLAB_TESTS(RW_COUNT_ROW);
+constexpr u32 kNodeFormats = 0 RW_NODE_FORMATS(RW_COUNT_ROW);
 #undef RW_COUNT_ROW
 
-/// All that a traversal is compiled for.
+/// All that a traversal is compiled for. Nodes that are no floats go with the default box test alone, so that not too
+/// much is compiled; a traversal without nodes takes every format for the default one.
 struct TraceTable {
-  TraceFunctions plain[kIntersectors][kSlabTests], counting[kIntersectors][kSlabTests];
+  struct Functions {
+    TraceFunctions plain, counting;
+  };
+  Functions functions[kNodeFormats][kIntersectors][kSlabTests];
 };
 
 /// Of a type of RW_TRAVERSALS.
@@ -77,27 +84,35 @@ constexpr TraceFunctions trace_functions() {
 }
 
 /// A traversal without boxes takes every box test for the default one.
-template <class Traversal, class Intersector, class Slab>
-void fill(TraceTable& table, u32 intersector, u32 slab) {
-  using Used = std::conditional_t<(Traversal::kKnobs & kKnobSlab) != 0, Slab, StrictKnobs::Slab>;
-  table.plain[intersector][slab] = trace_functions<Traversal, TraceKnobs<Intersector, Used>, NoCounter>();
-  table.counting[intersector][slab] = trace_functions<Traversal, TraceKnobs<Intersector, Used>, Counter>();
+template <class Traversal, class Nodes, class Intersector, class Slab>
+constexpr TraceTable::Functions functions() {
+  constexpr bool kBoxes = (Traversal::kKnobs & kKnobSlab) != 0 && std::is_same_v<Nodes, StrictKnobs::Nodes>;
+  using Used = TraceKnobs<Intersector, std::conditional_t<kBoxes, Slab, StrictKnobs::Slab>, Nodes>;
+  return {trace_functions<Traversal, Used, NoCounter>(), trace_functions<Traversal, Used, Counter>()};
 }
 
-template <class Traversal, class Intersector>
-void fill(TraceTable& table, u32 intersector) {
-  u32 slab = 0;
-#define RW_FILL(type, name, help) fill<Traversal, Intersector, type>(table, intersector, slab++);
-  RW_SLAB_TESTS(RW_FILL)
+template <class Traversal, class Nodes>
+void fill(TraceTable& table, u32 format) {
+  using Used = std::conditional_t<(Traversal::kKnobs & kKnobSlab) != 0, Nodes, StrictKnobs::Nodes>;
+  u32 intersector = 0;
+#define RW_FILL_SLAB(type, name, help) functions<Traversal, Used, Intersector, type>(),
+#define RW_FILL(type, name, help)                                                      \
+  {                                                                                    \
+    using Intersector = type;                                                          \
+    const TraceTable::Functions row[] = {RW_SLAB_TESTS(RW_FILL_SLAB)};                 \
+    std::copy(std::begin(row), std::end(row), table.functions[format][intersector++]); \
+  }
+  RW_INTERSECTORS(RW_FILL)
 #undef RW_FILL
+#undef RW_FILL_SLAB
 }
 
 template <class Traversal>
 TraceTable make_trace_table() {
   TraceTable table{};
-  u32 intersector = 0;
-#define RW_FILL(type, name, help) fill<Traversal, type>(table, intersector++);
-  RW_INTERSECTORS(RW_FILL)
+  u32 format = 0;
+#define RW_FILL(type, name, help) fill<Traversal, type>(table, format++);
+  RW_NODE_FORMATS(RW_FILL)
 #undef RW_FILL
   return table;
 }

@@ -31,6 +31,27 @@ RW_FN Float4 fma(Float4 a, Float4 b, Float4 c) {
 RW_FN Float4 larger(Float4 a, Float4 b) {
   return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z), larger(a.w, b.w)};
 }
+RW_FN Float4 all_of(float a) {
+  return {a, a, a, a};
+}
+RW_FN Float4 operator*(Float4 a, Float4 b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w};
+}
+/// Two numbers of IEEE's half precision in a word, the lower half first.
+RW_FN Float4 floats_of_halves(u32 xy, u32 zw) {
+  const auto one = [](u32 bits) {
+    float value;
+    asm("cvt.f32.f16 %0, %1;" : "=f"(value) : "h"(static_cast<unsigned short>(bits)));
+    return value;
+  };
+  return {one(xy), one(xy >> 16), one(zw), one(zw >> 16)};
+}
+/// The four bytes of a word, the lowest first.
+RW_FN Float4 floats_of_bytes(u32 bytes) {
+  // A byte below the bits of 2^23 is that number more.
+  const auto one = [bytes](u32 choice) { return float_of(__byte_perm(bytes, 0x4b000000u, choice)) - 0x1p23f; };
+  return {one(0x7440u), one(0x7441u), one(0x7442u), one(0x7443u)};
+}
 /// Bit i (of two) is set when v[i] <= -v[i + 2].
 RW_FN u32 ordered_pairs(Float4 v) {
   return (v.x <= -v.z ? 1u : 0u) | (v.y <= -v.w ? 2u : 0u);
@@ -52,6 +73,15 @@ inline Float4 fma(Float4 a, Float4 b, Float4 c) {
 }
 inline Float4 larger(Float4 a, Float4 b) {
   return _mm_max_ps(a, b);
+}
+inline Float4 all_of(float a) {
+  return _mm_set1_ps(a);
+}
+inline Float4 floats_of_halves(u32 xy, u32 zw) {
+  return _mm_cvtph_ps(_mm_cvtsi64_si128(static_cast<long long>(xy | static_cast<u64>(zw) << 32)));
+}
+inline Float4 floats_of_bytes(u32 bytes) {
+  return _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(bytes))));
 }
 inline u32 ordered_pairs(Float4 v) {
   const Float4 negated = -__builtin_shuffle(v, HalfSwap{2, 3, 0, 1});

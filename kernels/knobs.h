@@ -18,6 +18,12 @@
   X(IzeSlab, "ize", "far side enlarged by 2 ulp, infinities of IEEE 754 (Ize 2013)") \
   X(PlainSlab, "plain", "no allowance for rounding")
 
+/// Nodes of the BVH, kernels/accel/bvh/layout.h: a property of the structure that a traversal is compiled for.
+#define RW_NODE_FORMATS(X)                                   \
+  X(FloatNodes, "float", "64 bytes, planes are floats")      \
+  X(HalfNodes, "half", "32 bytes, planes of half precision") \
+  X(ByteNodes, "byte", "32 bytes, planes are bytes in a frame of the node's own")
+
 /// Where rays start that leave a surface, kernels/shade/spawn.h.
 #define RW_SPAWN_OFFSETS(X)                                                                              \
   X(ErrorBoundOffset, "error-bound", "beyond the bound of the hit's rounding error (Pharr et al. 2016)") \
@@ -29,15 +35,17 @@ namespace raywalk {
 
 #define RW_KNOB_TYPE(type, name, help) struct type;
 RW_SLAB_TESTS(RW_KNOB_TYPE)
+RW_NODE_FORMATS(RW_KNOB_TYPE)
 RW_SPAWN_OFFSETS(RW_KNOB_TYPE)
 RW_INTERSECTORS(RW_KNOB_TYPE)
 #undef RW_KNOB_TYPE
 
 /// What a traversal is compiled with.
-template <class IntersectorT, class SlabT>
+template <class IntersectorT, class SlabT, class NodesT = FloatNodes>
 struct TraceKnobs {
   using Intersector = IntersectorT;
   using Slab = SlabT;
+  using Nodes = NodesT;
 };
 using StrictKnobs = TraceKnobs<Watertight, PaddedSlab>;
 

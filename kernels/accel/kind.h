@@ -39,6 +39,7 @@ struct BuildStats {
 /// What a kernel must be compiled for to read a structure.
 struct StructureForm {
   TriangleRecords triangles = TriangleRecords::corners;
+  u32 nodes = 0;  // a row of RW_NODE_FORMATS
 };
 
 struct BuiltStructure {

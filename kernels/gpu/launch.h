@@ -2,7 +2,7 @@
 //   RW_TRAVERSAL  a type of kernels/accel/traversals.h     RW_INTERSECTOR, RW_SLAB, RW_SPAWN  types of kernels/knobs.h
 //   RW_FEATURES   bits of kernels/features.h               RW_MODE           a value of Mode
 //   RW_BLOCK      threads a block, a multiple of 32        RW_STACK_ENTRIES  of a short stack
-//   RW_REGISTERS  cap a thread; 0: the compiler's choice
+//   RW_REGISTERS  cap a thread; 0: the compiler's choice                     RW_NODES  a type of kernels/knobs.h
 // A thread is one pixel or one ray. Pixels are numbered block by block (kBlockSide squared), Morton order inside.
 #pragma once
 #include "kernels/accel/traversals.h"
@@ -17,7 +17,7 @@
 
 namespace raywalk {
 
-using KernelKnobs = TraceKnobs<RW_INTERSECTOR, RW_SLAB>;
+using KernelKnobs = TraceKnobs<RW_INTERSECTOR, RW_SLAB, RW_NODES>;
 
 template <class Traversal, class CounterT, bool kSingle = Traversal::kGroup == 1>
 struct TracerOf {

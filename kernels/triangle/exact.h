@@ -32,7 +32,7 @@ struct Exact {
 namespace exact {
 
 /// Whether the line meets the triangle; for what the float filter leaves open.
-RW_SLOW_FN bool is_met(const Line& line, const Corners& triangle) {
+RW_FN bool is_met(const Line& line, const Corners& triangle) {
   if (!is_finite(triangle)) return false;
   const Vec3 corner[4] = {triangle.a, triangle.b, triangle.c, triangle.a};
   u32 above = 0, below = 0, zeros = 0;
@@ -46,46 +46,43 @@ RW_SLOW_FN bool is_met(const Line& line, const Corners& triangle) {
   return zeros < 3 && (above == 3 || below == 3);
 }
 
-/// Distance and weights of b and c, for a triangle that is met at a grazing angle or is a sliver: the mean of the
-/// corners by weights that are exact, so that it never leaves the corners' own range.
-RW_SLOW_FN void mean_of_corners(const Line& line, const Corners& triangle, double& t, double& u, double& v) {
+/// Where a line meets a triangle: the distance, and the weights of b and c.
+struct Meeting {
+  double t, u, v;
+};
+
+/// For a triangle that is met at a grazing angle or is a sliver: the mean of the corners by weights that are exact, so
+/// that it never leaves the corners' own range.
+RW_SLOW_FN Meeting mean_of_corners(Line line, const Corners& triangle) {
   constexpr double kMargin = 0x1p30;
   const double wa = determinant(line, triangle.b, triangle.c, kMargin);
   const double wb = determinant(line, triangle.c, triangle.a, kMargin);
   const double wc = determinant(line, triangle.a, triangle.b, kMargin);
-  const double sum = wa + wb + wc;
+  const double sum = wa + wb + wc, u = wb / sum, v = wc / sum;
   const Vec3 m = magnitude(line.d);
   const u32 axis = m.x > m.y ? (m.x > m.z ? 0u : 2u) : (m.y > m.z ? 1u : 2u);
   const double o = line.o[axis];
-  u = wb / sum;
-  v = wc / sum;
   const double along = wa / sum * (triangle.a[axis] - o) + u * (triangle.b[axis] - o) + v * (triangle.c[axis] - o);
-  t = along / line.d[axis];
+  return {along / line.d[axis], u, v};
 }
 
-/// Of a triangle that is met. False when t is no float.
-RW_FN bool meet(const Line& line, const Corners& triangle, float& t, float& u, float& v) {
+/// The t of a triangle that is not met is beyond the floats. `certain`: a filter has found that it is met if it is
+/// finite. One call for both questions, since each costs a GPU the registers around it.
+RW_SLOW_FN Meeting meet(Line line, const Corners& triangle, bool certain) {
+  constexpr Meeting kNone{2.0 * double{kMaxFloat}, 0.0, 0.0};
+  if (!certain && !is_met(line, triangle)) return kNone;
   const Double3 ab = between(triangle.a, triangle.b), ac = between(triangle.a, triangle.c);
   const Double3 from_a = between(triangle.a, line.o), d = to_double(line.d);
   const Double3 p = cross(d, ac);
   const double det = dot(ab, p);
-  double distance, weight_b, weight_c;
   // Where det keeps 30 bits, so does t, with errors of 2^-50 of the three lengths and some to spare.
   const double lengths = largest(magnitude(d)) * largest(magnitude(ab)) * largest(magnitude(ac));
   if (magnitude(det) > 0x1p-16 * lengths) {
     const Double3 q = cross(from_a, ab);
     const double inverse = 1.0 / det;
-    distance = dot(ac, q) * inverse;
-    weight_b = dot(from_a, p) * inverse;
-    weight_c = dot(d, q) * inverse;
-  } else {
-    if (!is_finite(triangle)) return false;
-    mean_of_corners(line, triangle, distance, weight_b, weight_c);
+    return {dot(ac, q) * inverse, dot(from_a, p) * inverse, dot(d, q) * inverse};
   }
-  t = static_cast<float>(distance);
-  u = static_cast<float>(larger(weight_b, 0.0));
-  v = static_cast<float>(larger(weight_c, 0.0));
-  return is_finite(t);
+  return is_finite(triangle) ? mean_of_corners(line, triangle) : kNone;
 }
 
 /// A bound on the error of the edge functions, given the largest |x| or |y| and the largest |z| of the corners as
@@ -115,8 +112,11 @@ RW_FN bool intersect(const Exact& ray, const Corners& triangle, float& t, float&
   const float low = smaller(wa, smaller(wb, wc)), high = larger(wa, larger(wb, wc));
   if (low < -error && high > error) return false;
   // A NaN may have been dropped: then `meet` finds a corner that is not finite.
-  if (!(low > error || high < -error) && !exact::is_met(ray.line, triangle)) return false;
-  return exact::meet(ray.line, triangle, t, u, v);
+  const exact::Meeting meeting = exact::meet(ray.line, triangle, low > error || high < -error);
+  t = static_cast<float>(meeting.t);
+  u = static_cast<float>(larger(meeting.u, 0.0));
+  v = static_cast<float>(larger(meeting.v, 0.0));
+  return is_finite(t);
 }
 
 }  // namespace raywalk

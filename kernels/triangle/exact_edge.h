@@ -25,7 +25,7 @@ RW_FN void for_products(Vec3 o, Vec3 p, Vec3 q, u32 axis, Add add) {
 }
 
 /// The exact sum of thirty-six products of three floats: the product of two floats is a double.
-RW_FN double determinant_by_sums(const Line& line, Vec3 p, Vec3 q) {
+RW_SLOW_FN double determinant_by_sums(Line line, Vec3 p, Vec3 q) {
   ExactSum<36> sum;
   for (u32 axis = 0; axis < 3; ++axis)
     for_products(line.o, p, q, axis,
@@ -37,7 +37,7 @@ RW_FN double determinant_by_sums(const Line& line, Vec3 p, Vec3 q) {
 
 /// det(d, p - o, q - o) with its exact sign. Its relative error is at most about 1 / margin, and below 2^-45 for zero
 /// or wherever the filter is not enough.
-RW_FN double determinant(const Line& line, Vec3 p, Vec3 q, double margin) {
+RW_SLOW_FN double determinant(Line line, Vec3 p, Vec3 q, double margin) {
   const Double3 a = between(line.o, p), b = between(line.o, q), d = to_double(line.d);
   const double value = dot(d, cross(a, b));
   // Each product is rounded seven times, a and b included; 2^-49 has room for sixteen.
@@ -50,7 +50,7 @@ RW_FN double determinant(const Line& line, Vec3 p, Vec3 q, double margin) {
 /// 1 or -1 for an edge that the line meets exactly: the sign after moving the direction by (e, e^2, e^3) and the origin
 /// by much less, in the same way, for an infinitely small e. All edges see the same line, so a closed surface is
 /// crossed as if the line met no edge. 0 where that decides nothing: the edge is a point, or lies on the line.
-RW_FN i32 sign_on_edge(const Line& line, Vec3 p, Vec3 q) {
+RW_SLOW_FN i32 sign_on_edge(Line line, Vec3 p, Vec3 q) {
   for (u32 axis = 0; axis < 3; ++axis) {
     ExactSum<6> sum;
     detail::for_products(line.o, p, q, axis, [&](float x, float y) { sum.add(double{x} * double{y}); });

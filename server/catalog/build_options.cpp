@@ -107,7 +107,10 @@ OptionValues complete_options(const KindInfo& kind, const TraversalInfo& travers
 }
 
 StructureForm form_of(const OptionValues& options) {
-  return {options.contains("triangles") ? triangles_of(options) : TriangleRecords::corners};
+  StructureForm form;
+  if (options.contains("triangles")) form.triangles = triangles_of(options);
+  if (const auto nodes = options.find("nodes"); nodes != options.end()) form.nodes = static_cast<u32>(nodes->second);
+  return form;
 }
 
 void check_form(const StructureForm& form, const OptionValues& kernel, const std::string& pointer) {

@@ -40,6 +40,10 @@ const std::vector<KnobRow>& slab_rows() {
   static const std::vector<KnobRow> rows = {RW_SLAB_TESTS(RW_KNOB_ROW)};
   return rows;
 }
+const std::vector<KnobRow>& node_rows() {
+  static const std::vector<KnobRow> rows = {RW_NODE_FORMATS(RW_KNOB_ROW)};
+  return rows;
+}
 const std::vector<KnobRow>& spawn_rows() {
   static const std::vector<KnobRow> rows = {RW_SPAWN_OFFSETS(RW_KNOB_ROW)};
   return rows;
@@ -75,16 +79,21 @@ Knobs knobs_of(const OptionValues& options) {
 }
 
 std::string why_unfit(const StructureForm& form, const OptionValues& options) {
-  const u32 intersector = knobs_of(options).intersector;
-  const TriangleRecords read = kIntersectorRecords[intersector];
-  if (read == form.triangles) return "";
-  return "The intersector " + std::string(intersector_rows()[intersector].name) + " reads " + name_of(read) +
-         ", and the structure was built with triangles=" + name_of(form.triangles) + ".";
+  const Knobs knobs = knobs_of(options);
+  const TriangleRecords read = kIntersectorRecords[knobs.intersector];
+  if (read != form.triangles)
+    return "The intersector " + std::string(intersector_rows()[knobs.intersector].name) + " reads " + name_of(read) +
+           ", and the structure was built with triangles=" + name_of(form.triangles) + ".";
+  if (knobs.slab != 0 && form.nodes != 0)
+    return "The slab test " + std::string(slab_rows()[knobs.slab].name) +
+           " takes nodes=float alone, and the structure was built with nodes=" +
+           std::string(node_rows()[form.nodes].name) + ".";
+  return "";
 }
 
-void check_form(const Structure& structure, const OptionValues& options) {
-  const std::string why = why_unfit(structure.form(), options);
-  if (!why.empty()) throw std::invalid_argument(structure.kind() + ": " + why);
+void check_form(const std::string& what, const StructureForm& form, const OptionValues& options) {
+  const std::string why = why_unfit(form, options);
+  if (!why.empty()) throw std::invalid_argument(what + ": " + why);
 }
 
 }  // namespace raywalk

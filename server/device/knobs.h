@@ -1,11 +1,11 @@
 // The knobs of kernels/knobs.h as options of a traversal.
 #pragma once
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "kernels/accel/kind.h"
 #include "kernels/entry_cpu.h"
-#include "server/device/device.h"
 
 namespace raywalk {
 
@@ -16,6 +16,7 @@ struct KnobRow {
 };
 const std::vector<KnobRow>& intersector_rows();
 const std::vector<KnobRow>& slab_rows();
+const std::vector<KnobRow>& node_rows();
 const std::vector<KnobRow>& spawn_rows();
 
 /// intersector; slab and stack_entries where `traversal_knobs` (kKnobSlab, kKnobStack) has them; spawn.
@@ -26,7 +27,7 @@ Knobs knobs_of(const OptionValues& options);
 
 /// Why a traversal with these options cannot use a structure of that form, as a sentence; empty when it can.
 std::string why_unfit(const StructureForm& form, const OptionValues& options);
-/// Throws std::invalid_argument for that reason.
-void check_form(const Structure& structure, const OptionValues& options);
+/// Throws std::invalid_argument for that reason; `what` is the technique or structure, for people.
+void check_form(const std::string& what, const StructureForm& form, const OptionValues& options);
 
 }  // namespace raywalk

@@ -27,7 +27,7 @@ class Inspector {
       return box;
     }
     ++inner;
-    const bvh::Node& node = slice_of(blob_, header_.nodes)[child];
+    const bvh::Node& node = slice_of(blob_, header_.nodes<bvh::Node>())[child];
     for (u32 side = 0; side < 2; ++side) {
       const Box below = walk(node.child[side], depth + 1);
       for (u32 axis = 0; axis < 3; ++axis) {
@@ -66,7 +66,7 @@ void expect_sound(const Mesh& mesh, const bvh::Config& config = {}) {
   EXPECT_EQ(found.deepest, header.depth);
   EXPECT_EQ(found.leaves, built.stats.leaves);
   EXPECT_EQ(found.leaves + found.inner, built.stats.nodes);
-  EXPECT_EQ(found.inner, header.nodes.count);
+  EXPECT_EQ(found.inner, header.node_count);
   EXPECT_EQ(expected.size(), built.stats.references);
   EXPECT_EQ(built.blob.size_bytes(), built.stats.size_bytes);
   EXPECT_GT(built.stats.build_ms, 0.0);

@@ -153,7 +153,7 @@ class CpuDevice final : public Device {
     return nullptr;
   }
   static TraceTarget target_of(const CpuStructure& structure, const OptionValues& kernel) {
-    check_form(structure, kernel);
+    check_form(structure.kind(), structure.form(), kernel);
     return {structure.scene(), structure.handle(), knobs_of(kernel)};
   }
   static const CpuStructure& structure_of(const std::shared_ptr<const Structure>& structure) {

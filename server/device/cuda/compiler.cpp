@@ -33,6 +33,7 @@ std::vector<std::string> options_of(const NvrtcApi& nvrtc, const KernelSpec& spe
       "-DRW_TRAVERSAL=" + spec.traversal,
       "-DRW_INTERSECTOR=" + spec.intersector,
       "-DRW_SLAB=" + spec.slab,
+      "-DRW_NODES=" + spec.nodes,
       "-DRW_SPAWN=" + spec.spawn,
       number("RW_FEATURES", spec.features) + 'u',
       number("RW_MODE", static_cast<u32>(spec.mode)) + 'u',

@@ -5,7 +5,6 @@
 
 #include "server/device/cuda/kernel_options.h"
 #include "server/device/cuda/structure.h"
-#include "server/device/knobs.h"
 #include "server/device/outputs.h"
 #include "server/system/stopwatch.h"
 
@@ -65,8 +64,7 @@ const Kind& kind_of(const std::string& name) {
 /// Program::trace or Program::count for ray lists.
 KernelSpec ray_kernel(const RayJob& job, Program program) {
   const TraversalType& type = traversal_type(job.structure->kind(), job.traversal);
-  check_form(*job.structure, job.kernel);
-  return kernel_spec(type, job.kernel, program, Mode::primary, 0);
+  return kernel_spec(type, job.kernel, program, Mode::primary, 0, job.structure->form());
 }
 
 KernelSpec fault_spec() {
@@ -146,9 +144,8 @@ CudaDevice::OnDevice CudaDevice::hold(const FrameJob& job) {
 }
 
 KernelSpec CudaDevice::spec_of(const FrameJob& job, Program program) const {
-  check_form(*job.structure, job.kernel);
   const u32 features = all_features_ ? kAllFeatures : structure_of(job.structure).scene().header().features;
-  return kernel_spec(type_of(job), job.kernel, program, job.mode, features);
+  return kernel_spec(type_of(job), job.kernel, program, job.mode, features, job.structure->form());
 }
 
 template <class... Arguments>

@@ -38,18 +38,21 @@ std::vector<Option> kernel_options(const TraversalType& type) {
   return options;
 }
 
-KernelSpec kernel_spec(const TraversalType& type, const OptionValues& given, Program program, Mode mode, u32 features) {
+KernelSpec kernel_spec(const TraversalType& type, const OptionValues& given, Program program, Mode mode, u32 features,
+                       const StructureForm& form) {
   const std::string name = std::string(type.structure) + "/" + std::string(type.traversal);
   const Kind kernel{.name = name, .help = type.help, .options = kernel_options(type), .build = nullptr};
   const OptionValues values = with_defaults(kernel, given);
   const auto value = [&](const char* option) { return static_cast<u32>(values.at(option)); };
 
+  check_form(name, form, values);
   KernelSpec spec;
   spec.program = program;
   spec.traversal = type.type;
   const Knobs knobs = knobs_of(values);
   spec.intersector = intersector_rows()[knobs.intersector].type;
   spec.slab = slab_rows()[knobs.slab].type;
+  spec.nodes = node_rows()[form.nodes].type;
   spec.stack_entries = knobs.stack_entries;
   spec.block = value("block");
   spec.registers = value("registers");

@@ -12,8 +12,10 @@ const TraversalType& traversal_type(const std::string& structure, const std::str
 /// registers, block, stack_entries (of a short stack), intersector.
 std::vector<Option> kernel_options(const TraversalType& type);
 
-/// The kernel for a scene that needs `features`. Features that cannot matter are left out, so that requests share
-/// kernels. Throws std::invalid_argument for an unknown option or a value out of range.
-KernelSpec kernel_spec(const TraversalType& type, const OptionValues& given, Program program, Mode mode, u32 features);
+/// The kernel for a structure of that form, of a scene that needs `features`. Features that cannot matter are left out,
+/// so that requests share kernels. Throws std::invalid_argument for an unknown option, a value out of range, or a form
+/// that does not go with the options.
+KernelSpec kernel_spec(const TraversalType& type, const OptionValues& given, Program program, Mode mode, u32 features,
+                       const StructureForm& form = {});
 
 }  // namespace raywalk::cuda

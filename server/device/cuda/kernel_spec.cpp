@@ -21,6 +21,7 @@ std::string KernelSpec::name() const {
   std::string text = std::string(name_of(program)) + ' ' + traversal + ' ' + intersector;
   if (slab != KernelSpec{}.slab) text += ' ' + slab;
   if (spawn != KernelSpec{}.spawn) text += ' ' + spawn;
+  if (nodes != KernelSpec{}.nodes) text += ' ' + nodes;
   text += " features=" + std::to_string(features) + " mode=" + std::to_string(static_cast<u32>(mode));
   text += " block=" + std::to_string(block) + " stack_entries=" + std::to_string(stack_entries);
   if (registers > 0) text += " registers=" + std::to_string(registers);

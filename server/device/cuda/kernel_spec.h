@@ -17,7 +17,7 @@ struct KernelSpec {
   Program program = Program::frame;
   std::string traversal;  // a type of kernels/accel/traversals.h
   // Types of kernels/knobs.h.
-  std::string intersector = "Watertight", slab = "PaddedSlab", spawn = "ErrorBoundOffset";
+  std::string intersector = "Watertight", slab = "PaddedSlab", spawn = "ErrorBoundOffset", nodes = "FloatNodes";
   u32 features = kAllFeatures;
   Mode mode = Mode::primary;
   u32 block = 128;        // threads
@@ -26,7 +26,7 @@ struct KernelSpec {
 
   auto operator<=>(const KernelSpec&) const = default;
   /// Readable and unique, such as "frame BvhWhileWhile Watertight features=3 mode=0 block=128 stack_entries=4"; box
-  /// test and spawn offset where they are not the default.
+  /// test, spawn offset and nodes where they are not the default.
   std::string name() const;
 };
 
