@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "server/accuracy/cases/hex.h"
 #include "server/accuracy/cases/shrink.h"
+#include "server/scene/degenerate.h"
 
 namespace raywalk::accuracy {
 namespace {
@@ -30,6 +32,13 @@ OptionValues known(const std::vector<Option>& options, const OptionValues& value
 }
 
 }  // namespace
+
+SceneBlob scene_of(Mesh mesh) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  for (Corners& t : mesh)
+    if (is_finite(t) && is_degenerate(t)) t.a = t.b = t.c = {kNan, kNan, kNan};
+  return std::make_shared<const Blob>(make_scene(std::move(mesh)));
+}
 
 Exam::Exam(const OnDevice& on_device, const SuiteSpec& spec, const Technique& technique, CaseStore& store,
            CaseOutcome& outcome)

@@ -16,9 +16,8 @@ using OnDevice = std::function<void(const std::function<void(Device&)>&)>;
 /// The kind that every scene can be asked of without a structure.
 constexpr std::string_view kBruteForce = "brute";
 
-inline SceneBlob scene_of(Mesh mesh) {
-  return std::make_shared<const Blob>(make_scene(std::move(mesh)));
-}
+/// A scene as it is packed elsewhere: triangles without an area have NaN vertices.
+SceneBlob scene_of(Mesh mesh);
 
 /// What the techniques of one case share: scenes with what is known of them, and structures.
 class CaseStore {
