@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from raywalk import __version__
-from raywalk.cli import bench, compare, demo, doctor, kernels, render, scenes, structures, study, tables
+from raywalk.cli import accuracy, bench, compare, demo, doctor, kernels, render, scenes, structures, study, tables
 from raywalk.cli.session import CleanGroup, Settings
 
 app = typer.Typer(
@@ -60,6 +60,7 @@ app.command()(render.render)
 app.command()(render.walk)
 app.command()(compare.compare_images)
 app.command()(bench.bench)
+app.command()(accuracy.accuracy)
 app.command()(tables.tables)
 app.command()(demo.demo)
 app.command()(study.study)
