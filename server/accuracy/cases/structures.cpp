@@ -131,7 +131,7 @@ void stretched_scenes(Exam& exam) {
   for (const Vec3 by : {Vec3{1, 1, 1e6f}, Vec3{1e6f, 1, 1}, Vec3{1, 1e6f, 1e3f}}) {
     const Trial& trial = *exam.store().get("stretched by " + text_of(by.x) + text_of(by.y), [&] {
       const Mesh mesh = stretched_soup(by);
-      return make_trial("stretched", mesh, rays_at(mesh, exam.count(2'000), 2.0f, exam.random(1)));
+      return make_trial("stretched", mesh, rays_at(mesh, exam.count(300), 2.0f, exam.random(1)));
     });
     takes_bounded_memory(exam, trial.name, exam.build(trial.scene), trial.mesh.size());
     judge_and_compare(exam, trial);
@@ -140,7 +140,7 @@ void stretched_scenes(Exam& exam) {
     const Mesh teapot = transformed(icosphere(3), 1.0f, {3, 4, 5});
     Mesh mesh = teapot;
     append(mesh, subdivided_box(20, -1e6f, 1e6f));
-    return make_trial("a teapot in a stadium", mesh, rays_at(teapot, exam.count(2'000), 3.0f, exam.random(2)));
+    return make_trial("a teapot in a stadium", mesh, rays_at(teapot, exam.count(300), 3.0f, exam.random(2)));
   });
   takes_bounded_memory(exam, stadium.name, exam.build(stadium.scene), stadium.mesh.size());
   judge_and_compare(exam, stadium);
