@@ -52,6 +52,8 @@ void far_from_the_origin(Exam& exam) {
 }
 
 void scaled_scenes(Exam& exam) {
+  if (exam.technique().structure == "embree")
+    return exam.does_not_apply("Embree's assertions end the process at the ends of the range of floats");
   const Mesh& mesh = exam.store().get("mesh", [] { return icosphere(3, 2.0f); });
   std::vector<Ray> rays = edge_rays(exam.seed(1), exam.count(3'000), mesh);
   for (const Ray& ray : random_rays(exam.seed(2), exam.count(3'000), bounds_of(mesh))) rays.push_back(ray);
