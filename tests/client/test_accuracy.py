@@ -15,9 +15,14 @@ from raywalk.accuracy.drawing import SCALE, Area, Drawing, Line, Text, png_of, s
 from raywalk.accuracy.files import sweep_csv, write_accuracy
 from raywalk.accuracy.points import Point, error_text, pareto, points_of
 from raywalk.accuracy.tables import cases_table, sweep_table
+from raywalk.study.collect import collect
+from raywalk.study.outputs import write_all
+from raywalk.study.plan import Step, plan
+from raywalk.study.report import report_html
 
 from tests.client.accuracy_parts import FAST, STRICT, accuracy_result, case, row
 from tests.client.conftest import EVENTS, JOB
+from tests.client.study_parts import stored
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -157,6 +162,20 @@ def test_everything_is_written(tmp_path: Path, result, small) -> None:
     assert kept[1]["rows"][0]["class"] == "primary"
     records = list(csv.DictReader(io.StringIO(sweep_csv(small))))
     assert records[3]["error_leaks_count"] == "900" and records[0]["knobs_intersector"] == "watertight"
+
+
+def test_the_study_keeps_and_shows_it(tmp_path: Path, result, small) -> None:
+    store, asked = stored(tmp_path, result, "bunny")
+    asked = asked.model_copy(update={"accuracy": True})
+    assert asked.command.endswith("--accuracy")
+    step = Step("accuracy", "bunny")
+    assert step in plan(asked, gpu=False) and step not in plan(asked.model_copy(update={"accuracy": False}), gpu=False)
+    store.save(step, {"seconds": 1.0, "results": [small.model_dump(mode="json", by_alias=True)]})
+    study = collect(store, asked, gpu=False)
+    assert study.complete
+    text = report_html(study)
+    assert 'href="#accuracy"' in text and "rays aimed at edges" in text
+    assert "speed-error-bunny.png" in write_all(study, tmp_path)
 
 
 def replies(daemon, *results) -> None:

@@ -29,14 +29,24 @@ def write_accuracy(results: Sequence[AccuracyResult], folder: Path) -> list[str]
         if result.cases:
             write("hard-cases.md", markdown(cases_table(result)))
             write("hard-cases.csv", csv_of(cases_table(result)))
-        if result.scene and result.rows:
-            name = result.scene.name
-            write(f"sweep-{name}.md", markdown(sweep_table(result)))
-            write(f"sweep-{name}.csv", sweep_csv(result))
-            drawing = chart(result, machine_line(result))
-            write(f"speed-error-{name}.svg", svg_of(drawing))
-            write(f"speed-error-{name}.png", png_of(drawing))
+        written += write_sweep(result, folder)
     return written
+
+
+def write_sweep(result: AccuracyResult, folder: Path) -> list[str]:
+    """The tables and charts of one scene, and their names; nothing where nothing was measured."""
+    if not result.scene or not result.rows:
+        return []
+    name = result.scene.name
+    drawing = chart(result, machine_line(result))
+    contents = {
+        f"sweep-{name}.md": markdown(sweep_table(result)).encode(),
+        f"sweep-{name}.csv": sweep_csv(result).encode(),
+    }
+    contents |= {f"speed-error-{name}.svg": svg_of(drawing).encode(), f"speed-error-{name}.png": png_of(drawing)}
+    for file, content in contents.items():
+        (folder / file).write_bytes(content)
+    return list(contents)
 
 
 def plain(result: AccuracyResult) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from raywalk.errors import RaywalkError
-from raywalk.models import BenchmarkResult, Machine, Scene
+from raywalk.models import AccuracyResult, BenchmarkResult, Machine, Scene
 from raywalk.study.parameters import Parameters
 from raywalk.study.plan import Step, plan
 from raywalk.study.store import Store
@@ -33,6 +33,7 @@ class Study:
     results: dict[str, BenchmarkResult] = field(default_factory=dict)
     resolutions: dict[str, list[BenchmarkResult]] = field(default_factory=dict)
     kernels: list[BenchmarkResult] = field(default_factory=list)
+    accuracy: dict[str, AccuracyResult] = field(default_factory=dict)
     pictures: dict[str, Picture] = field(default_factory=dict)
     failures: dict[str, str] = field(default_factory=dict)
     steps: int = 0
@@ -83,6 +84,9 @@ def add(study: Study, store: Store, step: Step) -> None:
         if step.kind == "image":
             view = {name: record[name] for name in ("width", "height", "mode", "technique", "frame", "of")}
             study.pictures[step.scene] = Picture(step.scene, store.image(step.scene), **view)
+            return
+        if step.kind == "accuracy":
+            study.accuracy[step.scene] = AccuracyResult.model_validate(record["results"][0])
             return
         found = [BenchmarkResult.model_validate(result) for result in record["results"]]
         if step.kind == "measure":

@@ -6,8 +6,18 @@ from typing import Any
 
 from raywalk import sweep
 from raywalk.client import Client
-from raywalk.follow import benchmark, built
-from raywalk.models import BenchmarkResult, BenchmarkSpec, Bounds, FrameRequest, Job, PathFrame, Scene, Technique
+from raywalk.follow import accuracy, benchmark, built
+from raywalk.models import (
+    AccuracySpec,
+    BenchmarkResult,
+    BenchmarkSpec,
+    Bounds,
+    FrameRequest,
+    Job,
+    PathFrame,
+    Scene,
+    Technique,
+)
 from raywalk.study.parameters import DEPTH, MODES, PATH_FRAMES, Parameters
 from raywalk.study.plan import Step
 from raywalk.study.store import Store, write_atomic
@@ -36,6 +46,9 @@ class Measurer:
         """The record of the step, as the store keeps it."""
         if step.kind == "image":
             return self._image(step)
+        if step.kind == "accuracy":
+            found = accuracy(self._client, self._accuracy_spec(scene), watch)
+            return {"results": [found.model_dump(mode="json", by_alias=True)]}
         if step.kind == "kernels":
             return record_of([benchmark(self._client, spec, watch) for spec in self._kernel_specs(scene)])
         spec = self._spec(scene) if step.kind == "measure" else self._resolution_spec(step, scene)
@@ -75,6 +88,11 @@ class Measurer:
             error_frames=sweep.ERROR_FRAMES,
         )
         return sweep.sweep_specs(self._client, spec, sweep.CAPS, {})
+
+    def _accuracy_spec(self, scene: Scene) -> AccuracySpec:
+        limit = self._parameters.time_limit_s
+        values = {"scene": scene.name, "hard_cases": False, "quick": True}
+        return AccuracySpec.model_validate(values | ({"time_limit_s": limit} if limit else {}))
 
     def _image(self, step: Step) -> dict[str, Any]:
         own = self._parameters

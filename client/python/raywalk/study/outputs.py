@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
+from raywalk.accuracy.files import write_sweep
 from raywalk.study.charts import line_chart, resolution_points
 from raywalk.study.collect import Study
 from raywalk.study.findings import findings_markdown
@@ -46,6 +47,8 @@ def write_all(study: Study, folder: Path) -> list[str]:
         if scene in study.resolutions:
             write(f"figure{number}.svg", line_chart(study.resolutions[scene], resolution_title(study, number), True))
             write(f"figure{number}.csv", csv_text(resolution_records(study, scene)))
+    for result in study.accuracy.values():
+        written += write_sweep(result, folder)
     for number, names in IMAGE_FIGURES.items():
         if any(name in study.pictures for name in names):
             montage(study, names, IMAGE_TITLES[number], folder / f"figure{number}.png")

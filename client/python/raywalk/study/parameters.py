@@ -54,6 +54,7 @@ class Parameters(BaseModel):
     image_width: int
     image_height: int
     time_limit_s: float | None
+    accuracy: bool = False  # the sweep of speed against error on every scene
 
     @property
     def size(self) -> str:
@@ -67,11 +68,17 @@ class Parameters(BaseModel):
         words += [f"--frames {self.frames}"] if self.time_limit_s is None else []
         words += [f"--size {self.size}"]
         words += [f"--modes {','.join(self.modes)}"] if self.modes != MODES else []
+        words += ["--accuracy"] if self.accuracy else []
         return " ".join(words)
 
 
 def parameters_of(
-    scenes: list[str] | None, modes: list[str] | None, frames: int | None, size: tuple[int, int] | None, gpu: bool
+    scenes: list[str] | None,
+    modes: list[str] | None,
+    frames: int | None,
+    size: tuple[int, int] | None,
+    gpu: bool,
+    accuracy: bool | None = None,
 ) -> Parameters:
     """Fills what is not asked for with the device's defaults; throws RaywalkError for names that are wrong or given
     twice."""
@@ -96,6 +103,7 @@ def parameters_of(
         image_width=image[0],
         image_height=image[1],
         time_limit_s=defaults.time_limit_s if frames is None else None,
+        accuracy=gpu if accuracy is None else accuracy,
     )
 
 

@@ -11,8 +11,14 @@ from raywalk.study.parameters import (
     Parameters,
 )
 
-Kind = Literal["measure", "image", "resolution", "kernels"]
-WORDS = {"measure": "measuring", "image": "image", "resolution": "resolution", "kernels": "register caps"}
+Kind = Literal["measure", "image", "resolution", "kernels", "accuracy"]
+WORDS = {
+    "measure": "measuring",
+    "image": "image",
+    "resolution": "resolution",
+    "kernels": "register caps",
+    "accuracy": "accuracy",
+}
 
 
 @dataclass(frozen=True)
@@ -43,6 +49,8 @@ def plan(parameters: Parameters, gpu: bool) -> list[Step]:
             steps += [Step("resolution", scene, *size) for size in resolutions(parameters)]
         if gpu and scene in KERNEL_SCENES:
             steps.append(Step("kernels", scene))
+        if parameters.accuracy:
+            steps.append(Step("accuracy", scene))
     return steps
 
 

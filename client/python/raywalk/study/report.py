@@ -2,6 +2,9 @@
 
 from html import escape
 
+from raywalk.accuracy.chart import chart
+from raywalk.accuracy.drawing import svg_of
+from raywalk.accuracy.tables import machine_line, sweep_table
 from raywalk.study.charts import bar_chart, line_chart
 from raywalk.study.collect import Picture, Study
 from raywalk.study.findings import note
@@ -28,6 +31,7 @@ PLACES = {
     "structures": "Structures",
     "kernels": "Kernels",
     "resolution": "Resolution",
+    "accuracy": "Speed against error",
     "images": "Images",
     "scenes": "Scenes",
     "again": "Measure again",
@@ -43,6 +47,7 @@ def report_html(study: Study) -> str:
         "structures": table_html(structure_table(study)) if study.results else "",
         "kernels": table_html(kernel_table(study)) if study.kernels else "",
         "resolution": resolution_section(study),
+        "accuracy": accuracy_section(study),
         "images": images_section(study),
         "scenes": scenes_section(study),
         "again": again_section(study),
@@ -161,6 +166,19 @@ def resolution_title(study: Study, number: int) -> str:
     scene = RESOLUTION_FIGURES[number]
     modes = study.resolutions[scene][0].spec.modes or ["primary"]
     return f"Figure {number}: {scene}, {RAYS[modes[-1]]}"
+
+
+def accuracy_section(study: Study) -> str:
+    if not study.accuracy:
+        return ""
+    about = "Every technique with every set of knobs on lists of rays, timed in turns and judged by exact arithmetic. "
+    about += "Right is faster, lower is less often wrong; below the axis no ray was wrong."
+    drawn = ""
+    for result in study.accuracy.values():
+        if result.rows:
+            drawn += tag("div", svg_of(chart(result, machine_line(result)), standalone=False), "box")
+            drawn += table_html(sweep_table(result, brief=True))
+    return paragraph(about, "faint") + drawn
 
 
 def images_section(study: Study) -> str:

@@ -6,7 +6,7 @@ from contextlib import suppress
 from raywalk.client import Client
 from raywalk.errors import RaywalkError, UnreachableError
 from raywalk.models import Scene, System
-from raywalk.progress import bar, job_bar, messages
+from raywalk.progress import bar, job_bar, messages, stage_bar
 from raywalk.study.measure import Measurer
 from raywalk.study.parameters import Parameters
 from raywalk.study.plan import Step, plan
@@ -74,5 +74,7 @@ class Run:
         self._console.print(f"{place}, {seconds:.1f} s", markup=False)
 
     def _watching(self, step: Step, place: str):
+        if step.kind == "accuracy":
+            return stage_bar(place, self._console)
         width, height = (step.width, step.height) if step.width else (self._parameters.width, self._parameters.height)
         return job_bar(place, width * height, self._console)
