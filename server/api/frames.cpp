@@ -44,7 +44,8 @@ FrameJob make_job(Services& s, const Json& q) {
         .at("/traversal");
   }
   job.traversal = traversal.name;
-  job.kernel = complete_options(kind, traversal, parse_options(q.value("kernel", Json::object())), "/kernel");
+  job.kernel = kernel_options(kind, traversal, parse_fixed_tier(q.value("tier", "strict"), "/tier"),
+                              parse_options(q.value("kernel", Json::object())), "/kernel");
   check_form(job.structure->form(), job.kernel, "/kernel/intersector");
   job.camera = parse_camera(q.value("camera", Json()), *scene);
   job.width = q.at("width");

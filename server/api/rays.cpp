@@ -46,6 +46,7 @@ Response trace_rays(Services& s, const Request& r) {
         .at("?traversal");
   }
   job.traversal = traversal.name;
+  job.kernel = kernel_options(kind, traversal, parse_fixed_tier(r.query.at("tier"), "?tier"), {}, "");
   check_form(job.structure->form(), job.kernel, "?structure");
   const std::vector<Ray> rays = parse_rays(r.bytes);
   job.rays = rays;

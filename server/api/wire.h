@@ -44,6 +44,10 @@ const char* state_name(JobState state);
 
 Json to_json(const GivenOptions& options);
 GivenOptions parse_options(const Json& json);
+/// `text` is one that the contract has.
+Tier parse_tier(const std::string& text);
+/// For what is not a benchmark. Throws Refusal tier_needs_benchmark for tier auto.
+Tier parse_fixed_tier(const std::string& text, const std::string& pointer);
 BenchmarkSpec parse_spec(const Json& json);
 accuracy::AccuracySpec parse_accuracy_spec(const Json& json);
 /// "benchmark" or "accuracy".

@@ -1,6 +1,7 @@
 // JSON of jobs and of what benchmarks are asked for.
 #include "server/api/wire.h"
 #include "server/http/problem.h"
+#include "server/system/refusal.h"
 
 namespace raywalk::api {
 namespace {
@@ -55,7 +56,8 @@ BenchmarkSpec parse_spec(const Json& json) {
   spec.scene = json.at("scene");
   for (const Json& t : json.value("techniques", Json::array())) {
     spec.techniques.push_back({t.at("structure"), t.at("traversal"), parse_options(t.value("options", Json::object())),
-                               parse_options(t.value("kernel", Json::object()))});
+                               parse_options(t.value("kernel", Json::object())),
+                               parse_tier(t.value("tier", "strict"))});
   }
   for (const Json& mode : json.at("modes")) spec.modes.push_back(parse_bench_mode(mode));
   spec.depth = json.at("depth");
@@ -70,12 +72,27 @@ BenchmarkSpec parse_spec(const Json& json) {
   return spec;
 }
 
+Tier parse_tier(const std::string& text) {
+  return text == "fast" ? Tier::fast : text == "auto" ? Tier::automatic : Tier::strict;
+}
+
+Tier parse_fixed_tier(const std::string& text, const std::string& pointer) {
+  const Tier tier = parse_tier(text);
+  if (tier == Tier::automatic) {
+    throw Refusal(Refusal::Why::invalid, "tier_needs_benchmark",
+                  "Tier auto is a choice that a benchmark measures; here it is strict or fast.")
+        .at(pointer);
+  }
+  return tier;
+}
+
 Json to_json(const BenchmarkSpec& spec) {
   Json techniques = Json::array(), modes = Json::array();
   for (const TechniqueSpec& t : spec.techniques) {
     Json technique = {{"structure", t.structure}, {"traversal", t.traversal}};
     if (!t.options.empty()) technique["options"] = to_json(t.options);
     if (!t.kernel.empty()) technique["kernel"] = to_json(t.kernel);
+    technique["tier"] = tier_name(t.tier);
     techniques.push_back(std::move(technique));
   }
   for (const BenchMode mode : spec.modes) modes.push_back(mode_name(mode));

@@ -15,6 +15,21 @@ Json to_json(const Statistics& s) {
 
 namespace {
 
+Json to_json(const RayVerdicts& v) {
+  return {{"rays", v.rays},
+          {"judged", v.judged},
+          {"right", v.right},
+          {"boundary", v.boundary},
+          {"near", v.near},
+          {"wrong", v.wrong()},
+          {"leaks", v.leaks},
+          {"false_misses", v.false_misses},
+          {"false_hits", v.false_hits},
+          {"wrong_ids", v.wrong_ids},
+          {"self_hits", v.self_hits},
+          {"reference_wrong", v.reference_wrong}};
+}
+
 Json to_json(const ErrorFigures& e) {
   const double rmse = e.image_rmse();
   return {{"reference", e.reference},
@@ -30,7 +45,35 @@ Json to_json(const ErrorFigures& e) {
           {"image_flip_mean", value_or_null(e.image_flip_mean())},
           {"image_flip_p99", value_or_null(e.image_flip_p99())},
           {"image_flip_max", value_or_null(e.image_flip_max())},
-          {"changed_pixels_ppm", value_or_null(e.changed_pixels_ppm())}};
+          {"changed_pixels_ppm", value_or_null(e.changed_pixels_ppm())},
+          {"primary_rays", to_json(e.primary)},
+          {"shadow_rays", e.shadow.rays > 0 ? to_json(e.shadow) : Json(nullptr)}};
+}
+
+/// Options as a request would give them; `traversal` has those of the candidates.
+Json to_json(const KnobChoice& choice, const TraversalInfo& traversal) {
+  Json candidates = Json::array();
+  for (const Candidate& one : choice.candidates) {
+    candidates.push_back({{"kernel", options_json(traversal.options, one.kernel)},
+                          {"name", one.name},
+                          {"frame_ms", one.frame_ms},
+                          {"wrong", one.checked ? Json(one.checked->wrong) : Json(nullptr)},
+                          {"rays", one.checked ? Json(one.checked->rays) : Json(nullptr)}});
+  }
+  return {{"candidates", candidates}, {"chosen", choice.chosen}, {"reason", choice.reason}};
+}
+
+Json gate_json(const ResultRow& row, const TraversalInfo& traversal) {
+  const Gate& gate = row.gate;
+  return {{"tier", gate.terms.tier.empty() ? Json(nullptr) : Json(gate.terms.tier)},
+          {"status", gate.is_open ? "open" : "closed"},
+          {"limit_ppm", value_or_null(gate.terms.limit_ppm)},
+          {"wrong", row.error.wrong_rays()},
+          {"rays", row.error.checked_rays()},
+          {"wrong_ppm", row.error.wrong_ppm()},
+          {"wrong_ppm_upper95", row.error.wrong_ppm_upper95()},
+          {"reason", gate.reason},
+          {"choice", gate.choice ? to_json(*gate.choice, traversal) : Json(nullptr)}};
 }
 
 Json to_json(const SensorRange& range) {
@@ -52,10 +95,9 @@ Json to_json(const Throughput& t) {
           {"mrays_per_s", t.mrays_per_s}};
 }
 
-Json kernel_json(const ResultRow& row, const std::vector<KindInfo>& kinds) {
+Json kernel_json(const ResultRow& row, const TraversalInfo& traversal) {
   if (!row.kernel) return nullptr;
   const KernelFigures& k = *row.kernel;
-  const TraversalInfo& traversal = traversal_named(kind_named(kinds, row.structure, ""), row.traversal, "");
   return {{"options", options_json(traversal.options, row.kernel_options)},
           {"registers", k.registers},
           {"local_bytes", k.local_bytes},
@@ -67,6 +109,7 @@ Json kernel_json(const ResultRow& row, const std::vector<KindInfo>& kinds) {
 }
 
 Json to_json(const ResultRow& row, const std::vector<KindInfo>& kinds) {
+  const TraversalInfo& traversal = traversal_named(kind_named(kinds, row.structure, ""), row.traversal, "");
   return {{"structure", row.structure},
           {"traversal", row.traversal},
           {"structure_id", row.structure_id},
@@ -77,9 +120,18 @@ Json to_json(const ResultRow& row, const std::vector<KindInfo>& kinds) {
           {"steps_per_ray", value_or_null(row.steps_per_ray)},
           {"tests_per_ray", value_or_null(row.tests_per_ray)},
           {"frame_times_ms", row.frame_times_ms},
-          {"kernel", kernel_json(row, kinds)},
+          {"kernel_options", options_json(traversal.options, row.kernel_options)},
+          {"kernel", kernel_json(row, traversal)},
           {"throughput", row.throughput ? to_json(*row.throughput) : Json(nullptr)},
-          {"error", to_json(row.error)}};
+          {"error", to_json(row.error)},
+          {"gate", gate_json(row, traversal)}};
+}
+
+/// A field with commas in it.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
 }
 
 }  // namespace
@@ -107,7 +159,7 @@ std::string to_csv(const BenchmarkResult& result) {
          "samples,unstable,mrays_per_s,rays_per_frame,steps_per_ray,tests_per_ray,reference,id_mismatch_ppm,ties,"
          "image_rmse,image_ssim,image_flip_mean,image_flip_p99,image_flip_max,changed_pixels_ppm,options,registers,"
          "local_bytes,shared_bytes,occupancy,frames_per_launch,launch_median_ms,"
-         "launch_mrays_per_s\n";
+         "launch_mrays_per_s,tier,gate,limit_ppm,wrong,checked_rays,wrong_ppm,wrong_ppm_upper95,gate_reason\n";
   out.precision(9);
   const auto number = [](const std::optional<double>& v) { return v ? Json(*v).dump() : std::string(); };
   for (const ResultRow& row : result.rows) {
@@ -127,10 +179,13 @@ std::string to_csv(const BenchmarkResult& result) {
       out << ",,,,";
     }
     if (const std::optional<Throughput>& t = row.throughput) {
-      out << t->frames_per_launch << ',' << t->frame_ms.median << ',' << t->mrays_per_s << '\n';
+      out << t->frames_per_launch << ',' << t->frame_ms.median << ',' << t->mrays_per_s << ',';
     } else {
-      out << ",,\n";
+      out << ",,,";
     }
+    out << row.gate.terms.tier << ',' << (row.gate.is_open ? "open" : "closed") << ','
+        << number(row.gate.terms.limit_ppm) << ',' << row.error.wrong_rays() << ',' << row.error.checked_rays() << ','
+        << row.error.wrong_ppm() << ',' << row.error.wrong_ppm_upper95() << ',' << quoted(row.gate.reason) << '\n';
   }
   return out.str();
 }

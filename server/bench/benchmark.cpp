@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "server/bench/choose_knobs.h"
 #include "server/bench/session.h"
 #include "server/bench/validation.h"
 #include "server/system/refusal.h"
@@ -23,8 +24,9 @@ void check_technique(const TechniqueSpec& technique, const BenchmarkSpec& spec, 
                      const std::string& pointer) {
   const KindInfo& kind = kind_named(kinds, technique.structure, pointer + "/structure");
   const TraversalInfo& traversal = traversal_named(kind, technique.traversal, pointer + "/traversal");
-  complete_options(kind, technique.options, pointer + "/options");
-  complete_options(kind, traversal, technique.kernel, pointer + "/kernel");
+  const OptionValues options = complete_options(kind, technique.options, pointer + "/options");
+  const OptionValues kernel = kernel_options(kind, traversal, technique.tier, technique.kernel, pointer + "/kernel");
+  check_form(form_of(options), kernel, pointer + "/kernel/intersector");
   if (traversal.baseline && std::find(spec.modes.begin(), spec.modes.end(), BenchMode::trace) == spec.modes.end()) {
     throw Refusal(Refusal::Why::invalid, "baseline_only_traces",
                   kind.name + "/" + traversal.name + " is a baseline: it is measured in mode trace alone.")
@@ -104,6 +106,8 @@ ResultRow make_row(const Subject& subject, const Session& session, std::size_t i
     row.tests_per_ray = static_cast<double>(counts.tests) / rays;
   }
   row.error = std::move(validation.error);
+  row.gate = decide_gate(subject.terms, row.error, row.frame_ms.samples);
+  row.gate.choice = subject.choice;
   return row;
 }
 
@@ -118,6 +122,11 @@ std::vector<std::string> notes_on(const BenchmarkSpec& spec, const Session& sess
   if (unstable > 0) {
     notes.push_back(std::to_string(unstable) +
                     " rows are unstable: their times vary by more than 3.5 % between repeats.");
+  }
+  const auto open = std::ranges::count_if(result.rows, [](const ResultRow& row) { return row.gate.is_open; });
+  if (open > 0) {
+    notes.push_back(std::to_string(open) + " of " + std::to_string(result.rows.size()) +
+                    " rows are open: they are not right enough for their tier, and their times do not count.");
   }
   return notes;
 }
@@ -159,8 +168,13 @@ BenchmarkResult run_benchmark(const BenchmarkSpec& spec, const Workplace& place,
   report({"loading " + spec.scene, false, 0, 0, 0});
   BenchmarkResult result;
   result.scene = place.scenes.resident_or_load(spec.scene);
-  const std::vector<Subject> subjects = make_subjects(spec, result.scene, place, report);
+  std::vector<Subject> subjects = make_subjects(spec, result.scene, place, report);
   const std::vector<Subject> references = make_references(subjects, result.scene, place, report);
+
+  Comparison comparison(spec, *result.scene, references, place.queue, place.reference_queue);
+  choose_knobs(spec, *result.scene, subjects, place.structures.kinds(), comparison, place.queue, [&](std::size_t i) {
+    report({"choosing the knobs of " + subjects[i].name, false, kBuildPart, 0, 0});
+  });
 
   const Session session =
       measure_alone(spec, *result.scene, subjects, place.queue, [&](const SessionProgress& progress) {
@@ -168,7 +182,7 @@ BenchmarkResult run_benchmark(const BenchmarkSpec& spec, const Workplace& place,
         report({progress.stage, false, kBuildPart + kMeasurePart * part, progress.frames_done, progress.frames_total});
       });
   std::vector<Validation> validations =
-      validate(spec, *result.scene, subjects, references, place.queue, place.reference_queue, [&](double fraction) {
+      validate(spec, *result.scene, subjects, comparison, place.queue, [&](double fraction) {
         const double before = kBuildPart + kMeasurePart;
         report(
             {"comparing with the reference", true, before + (1 - before) * fraction, session.frames, session.frames});

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "server/bench/errors.h"
+#include "server/bench/gate.h"
 #include "server/bench/statistics.h"
 #include "server/bench/telemetry.h"
 #include "server/catalog/scenes.h"
 #include "server/catalog/structures.h"
+#include "server/catalog/tiers.h"
 #include "server/system/machine.h"
 
 namespace raywalk {
@@ -22,7 +23,8 @@ struct TechniqueSpec {
   std::string structure;
   std::string traversal;
   GivenOptions options = {};
-  GivenOptions kernel = {};  // of the traversal
+  GivenOptions kernel = {};  // of the traversal; what is given overrides the tier's knobs
+  Tier tier = Tier::strict;
 
   bool operator==(const TechniqueSpec&) const = default;
 };
@@ -63,6 +65,7 @@ struct ResultRow {
   std::optional<KernelFigures> kernel;
   std::optional<Throughput> throughput;
   ErrorFigures error;
+  Gate gate;
 };
 
 struct BenchmarkResult {
@@ -99,7 +102,8 @@ struct BenchmarkProgress {
 /// options, and baselines where mode trace is not among the modes; they have no rows in others.
 BenchmarkSpec checked(BenchmarkSpec spec, const Scenes& scenes, const std::vector<KindInfo>& kinds);
 
-/// Loads, builds, warms up and measures alone on the device, then validates against the reference. `report` is called
+/// Loads, builds, chooses the knobs of tier auto, warms up and measures alone on the device, then validates against the
+/// reference. `report` is called
 /// before each of these and at least once a frame; what it throws ends the run.
 BenchmarkResult run_benchmark(const BenchmarkSpec& spec, const Workplace& place,
                               const std::function<void(const BenchmarkProgress&)>& report);

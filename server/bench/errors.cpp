@@ -22,6 +22,14 @@ bool is_tie(const Hit& a, const Hit& b) {
 
 }  // namespace
 
+double ErrorFigures::wrong_ppm() const {
+  return per_million(static_cast<double>(wrong_rays()), checked_rays());
+}
+
+double ErrorFigures::wrong_ppm_upper95() const {
+  return upper95_ppm(wrong_rays(), checked_rays());
+}
+
 double ErrorFigures::mismatch_ppm() const {
   return per_million(static_cast<double>(id_mismatches), pixels);
 }
@@ -54,21 +62,32 @@ std::optional<double> ErrorFigures::changed_pixels_ppm() const {
   return of_images(per_million(static_cast<double>(changed_pixels), image_pixels));
 }
 
+void ErrorFigures::add_rays(const ErrorFigures& other) {
+  pixels += other.pixels;
+  id_mismatches += other.id_mismatches;
+  ties += other.ties;
+  primary += other.primary;
+  shadow += other.shadow;
+}
+
 std::optional<double> ErrorFigures::of_images(double figure) const {
   return images == 0 ? std::nullopt : std::optional(figure);
 }
 
-void compare_hits(std::span<const Hit> reference, std::span<const Hit> hits, ErrorFigures& figures) {
+std::vector<u32> compare_hits(std::span<const Hit> reference, std::span<const Hit> hits, ErrorFigures& figures) {
   if (reference.size() != hits.size()) throw std::logic_error("hits of different frames were compared");
+  std::vector<u32> differing;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (reference[i].id == hits[i].id) continue;
     if (is_tie(reference[i], hits[i])) {
       ++figures.ties;
     } else {
-      ++figures.id_mismatches;
+      differing.push_back(static_cast<u32>(i));
     }
   }
   figures.pixels += hits.size();
+  figures.id_mismatches += differing.size();
+  return differing;
 }
 
 void compare_images(const Frame& reference, const Frame& image, ErrorFigures& figures) {

@@ -2,6 +2,15 @@
 #include "server/bench/subject.h"
 
 namespace raywalk {
+namespace {
+
+GateTerms terms_of(Tier tier, const TraversalInfo& traversal, const OptionValues& kernel) {
+  if (!has_tiers(traversal)) return {};
+  const bool is_its_own = tier == Tier::automatic || is_of_tier(traversal, tier, kernel);
+  return {is_its_own ? tier_name(tier) : "custom", limit_ppm(tier)};
+}
+
+}  // namespace
 
 Subject make_subject(const TechniqueSpec& technique, BenchMode mode, StructureRecord structure,
                      const std::vector<KindInfo>& kinds) {
@@ -11,12 +20,21 @@ Subject make_subject(const TechniqueSpec& technique, BenchMode mode, StructureRe
   subject.technique = technique;
   subject.mode = mode;
   subject.structure = std::move(structure);
-  subject.kernel = complete_options(kind, traversal, technique.kernel, "");
-  subject.changed_options = changed_options(kind.options, complete_options(kind, technique.options, "")) +
-                            changed_options(traversal.options, subject.kernel);
-  subject.name = kind.name + "/" + traversal.name + subject.changed_options;
   subject.baseline = traversal.baseline;
+  set_kernel(subject, kind, traversal, kernel_options(kind, traversal, technique.tier, technique.kernel, ""));
   return subject;
+}
+
+void set_kernel(Subject& subject, const KindInfo& kind, const TraversalInfo& traversal, const OptionValues& kernel) {
+  subject.kernel = kernel;
+  subject.changed_options = changed_options(kind.options, complete_options(kind, subject.technique.options, "")) +
+                            changed_options(traversal.options, kernel);
+  subject.name = kind.name + "/" + traversal.name + subject.changed_options;
+  subject.terms = terms_of(subject.technique.tier, traversal, kernel);
+}
+
+bool has_shadows(BenchMode mode) {
+  return mode == BenchMode::shadow || mode == BenchMode::whitted;
 }
 
 FrameJob frame_job(const BenchmarkSpec& spec, const LoadedScene& scene, const Subject& subject, u32 frame) {

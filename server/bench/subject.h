@@ -14,11 +14,19 @@ struct Subject {
   std::string changed_options;  // of builder and kernel, that are not the default: " name=value" each
   std::string name;             // <structure>/<traversal>, and those
   bool baseline = false;        // its rays are known, its work cannot be counted
+  GateTerms terms;
+  std::optional<KnobChoice> choice = {};  // of tier auto, when it is made
 };
 
 /// `technique` is valid, and `structure` its built structure.
 Subject make_subject(const TechniqueSpec& technique, BenchMode mode, StructureRecord structure,
                      const std::vector<KindInfo>& kinds);
+
+/// Gives the subject these complete options of its kernel, and the names and terms that follow from them.
+void set_kernel(Subject& subject, const KindInfo& kind, const TraversalInfo& traversal, const OptionValues& kernel);
+
+/// Whether the mode's frames have shadow rays.
+bool has_shadows(BenchMode mode);
 
 /// The job of frame `frame` of `spec.frames`; mode trace is a primary one.
 FrameJob frame_job(const BenchmarkSpec& spec, const LoadedScene& scene, const Subject& subject, u32 frame);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "server/bench/subject.h"
+#include "server/bench/comparison.h"
 
 namespace raywalk {
 
@@ -15,13 +15,10 @@ struct Validation {
   bool counts_work = true;  // false: rays alone are known
 };
 
-/// The technique that `subject` is compared with: watertight Embree, and bvh/while-while for Embree itself.
-TechniqueSpec reference_of(const TechniqueSpec& technique);
-
-/// Compares `error_frames` evenly spaced frames of every subject. `references` has a structure for each reference
-/// that is needed, for the device of `reference_queue`. `before_frame` gets the fraction done.
+/// Compares the compared frames of every subject, and counts their work on the device of `queue`. `before_frame` gets
+/// the fraction done.
 std::vector<Validation> validate(const BenchmarkSpec& spec, const LoadedScene& scene, std::span<const Subject> subjects,
-                                 std::span<const Subject> references, DeviceQueue& queue, DeviceQueue& reference_queue,
+                                 Comparison& comparison, DeviceQueue& queue,
                                  const std::function<void(double fraction)>& before_frame);
 
 }  // namespace raywalk

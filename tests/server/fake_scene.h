@@ -8,7 +8,9 @@ inline ScenePtr scene_named(const std::string& name) {
   auto scene = std::make_shared<LoadedScene>();
   scene->info.name = name;
   scene->info.triangles = 3;
-  scene->blob = std::make_shared<const Blob>(Blob(64));
+  Blob blob(sizeof(SceneHeader));
+  new (blob.data()) SceneHeader{};
+  scene->blob = std::make_shared<const Blob>(std::move(blob));
   scene->camera_path = orbit_around(Box{});
   return scene;
 }

@@ -133,8 +133,8 @@ TEST_F(SessionTest, ReferencesComeFromTheirOwnEngine) {
   const std::vector<Subject> references = {
       make_subject(technique, BenchMode::primary,
                    other_structures.build_and_wait(scene_, technique.structure, technique.options), other.kinds())};
-  const std::vector<Validation> validations =
-      validate(spec_, *scene_, subjects, references, queue_, other_queue, [](double) {});
+  Comparison comparison(spec_, *scene_, references, queue_, other_queue);
+  const std::vector<Validation> validations = validate(spec_, *scene_, subjects, comparison, queue_, [](double) {});
   ASSERT_EQ(validations.size(), 2u);
   for (const Validation& validation : validations) {
     EXPECT_EQ(validation.error.reference, "embree/intersect robust=on");

@@ -22,12 +22,14 @@ TEST(WireSpec, ComesBackAsItWas) {
   spec.modes = {BenchMode::trace};
   spec.batch = 4;
   spec.techniques = {{"bvh", "while-while", {{"bins", 16.0}}, {{"registers", 40.0}, {"test", "moeller"}}},
-                     {"bvh", "pair"}};
+                     {"bvh", "pair", {}, {}, Tier::automatic}};
   const Json json = to_json(spec);
   expect_valid("BenchmarkSpec", json);
   EXPECT_EQ(json.at("batch"), 4);
   EXPECT_EQ(json.at("techniques")[0].at("kernel").dump(), R"({"registers":40,"test":"moeller"})");
   EXPECT_FALSE(json.at("techniques")[1].contains("kernel"));
+  EXPECT_EQ(json.at("techniques")[0].at("tier"), "strict");
+  EXPECT_EQ(json.at("techniques")[1].at("tier"), "auto");
   EXPECT_EQ(parse_spec(json), spec);
 }
 

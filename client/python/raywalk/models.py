@@ -419,6 +419,10 @@ class FrameRequest(BaseModel):
     """
     Options of the traversal's kernel.
     """
+    tier: Literal["strict", "fast", "auto"] | None = "strict"
+    """
+    A named set of a kernel's knobs, the options that trade accuracy for speed. strict: their defaults, 0 wrong rays. fast: at most 1 wrong ray of a million. auto, in benchmarks alone: the cheapest knobs that have no wrong ray on this scene, found by measuring on it. Knobs that are given by name override it. Nothing to techniques without knobs.
+    """
     output: Literal["color", "depth", "normal", "id", "steps"] | None = "color"
     """
     color: shaded image; depth: t of the primary hit; normal: shading normal; id: triangle id; steps: traversal steps and triangle tests of the primary ray as a heat map. Raw float32 has 3 channels for color and normal, 1 for depth (infinity is a miss), 1 for id (-1 is a miss; exact to 2^24), 2 for steps (steps, tests).
@@ -445,6 +449,10 @@ class Technique(BaseModel):
     kernel: dict[str, float | str] | None = None
     """
     Options of the traversal's kernel.
+    """
+    tier: Literal["strict", "fast", "auto"] | None = "strict"
+    """
+    A named set of a kernel's knobs, the options that trade accuracy for speed. strict: their defaults, 0 wrong rays. fast: at most 1 wrong ray of a million. auto, in benchmarks alone: the cheapest knobs that have no wrong ray on this scene, found by measuring on it. Knobs that are given by name override it. Nothing to techniques without knobs.
     """
 
 
@@ -556,57 +564,58 @@ class Statistics(BaseModel):
     """
 
 
-class ErrorFigures(BaseModel):
+class RayVerdicts(BaseModel):
     """
-    How far the technique is from the reference on the compared frames.
+    The exact oracle's verdicts where technique and reference disagree, in whole rays; boundary and near are what float32 arithmetic cannot tell, and not wrong.
     """
 
-    reference: str
+    rays: int
     """
-    Technique compared with; never the technique itself.
+    Compared with the reference.
     """
-    frames: int
-    pixels: int
-    id_mismatches: int
+    judged: int
     """
-    Primary rays that hit another triangle; ties apart.
+    On which both differ.
     """
-    id_mismatch_ppm: float
-    id_mismatch_ppm_upper95: float
+    right: int
     """
-    Upper end of a 95 % interval; 3/N when none was seen.
+    The exact answer, or another triangle at the same distance.
     """
-    ties: int
+    boundary: int
     """
-    Other id but t within 2 ulp.
+    An edge or vertex is met exactly.
     """
-    image_rmse: float
+    near: int
     """
-    Of sRGB values in 0..1 over all channels; 0 for mode trace.
+    Within the rounding error of a float32 test.
     """
-    image_psnr_db: float | None
+    wrong: int
     """
-    null when the images are identical.
+    Sum of the five below.
     """
-    image_ssim: float | None = None
+    leaks: int
     """
-    Structural similarity of luma (Wang et al. 2004), mean over the frames; null for mode trace.
+    Passes a closed surface at an edge or vertex.
     """
-    image_flip_mean: float | None = None
+    false_misses: int
     """
-    LDR-FLIP at 67 pixels a degree, 0 to 1, mean over the frames; null for mode trace.
+    Passes the interior of a triangle.
     """
-    image_flip_p99: float | None = None
+    false_hits: int
     """
-    99th percentile over the pixels of the worst frame; null for mode trace.
+    Hits where nothing is.
     """
-    image_flip_max: float | None = None
+    wrong_ids: int
     """
-    Of the worst pixel; null for mode trace.
+    Hits a triangle that the ray does not meet.
     """
-    changed_pixels_ppm: float | None = None
+    self_hits: int
     """
-    Pixels with another 8-bit sRGB value; null for mode trace.
+    Shadow rays that meet the triangle which they leave.
+    """
+    reference_wrong: int
+    """
+    Where the reference's own answer is wrong.
     """
 
 
@@ -671,38 +680,33 @@ class Telemetry(BaseModel):
     """
 
 
-class ResultRow(BaseModel):
-    structure: str
-    traversal: str
-    structure_id: str
-    mode: Literal["trace", "primary", "shadow", "whitted"]
-    frame_ms: Statistics
-    mrays_per_s: float
+class Candidate(BaseModel):
+    kernel: dict[str, float | str]
+    name: str
     """
-    All rays of the mode over the mean frame time.
+    The knobs that are not strict, or strict.
     """
-    rays_per_frame: float
+    frame_ms: float
+    wrong: int | None
     """
-    Primary shadow and secondary rays together.
+    null: not checked, as a stricter or faster one was chosen.
     """
-    steps_per_ray: float | None
+    rays: int | None
+
+
+class KnobChoice(BaseModel):
+    candidates: list[Candidate]
     """
-    From a separately compiled counting kernel; null where the technique cannot count.
+    Fastest first, measured in turns on a few frames.
     """
-    tests_per_ray: float | None
-    frame_times_ms: list[float] | None = None
+    chosen: Annotated[int, Field(ge=0)]
     """
-    Median time of each frame in order.
+    Index of one of them.
     """
-    kernel: KernelFigures | None = None
+    reason: str
     """
-    The kernel that was timed; null where there is none.
+    One sentence or two for people.
     """
-    throughput: Throughput | None = None
-    """
-    Several frames in one launch; null where the device takes one at a time.
-    """
-    error: ErrorFigures
 
 
 class Rate(BaseModel):
@@ -1055,21 +1059,100 @@ class JobList(BaseModel):
     jobs: list[Job]
 
 
-class BenchmarkResult(BaseModel):
-    schema_version: Literal[1]
-    id: str
-    created_at: str
-    machine: Machine
-    scene: Scene
-    spec: BenchmarkSpec
-    structures: list[Structure]
-    rows: list[ResultRow]
-    telemetry: Telemetry | None = None
+class ErrorFigures(BaseModel):
     """
-    null where the device has no sensors that can be read.
+    How far the technique is from the reference on the compared frames.
     """
-    stop_reason: Literal["completed", "time_limit"]
-    notes: list[str]
+
+    reference: str
+    """
+    Technique compared with; never the technique itself.
+    """
+    frames: int
+    pixels: int
+    id_mismatches: int
+    """
+    Primary rays that hit another triangle; ties apart.
+    """
+    id_mismatch_ppm: float
+    id_mismatch_ppm_upper95: float
+    """
+    Upper end of a 95 % interval; 3/N when none was seen.
+    """
+    ties: int
+    """
+    Other id but t within 2 ulp.
+    """
+    image_rmse: float
+    """
+    Of sRGB values in 0..1 over all channels; 0 for mode trace.
+    """
+    image_psnr_db: float | None
+    """
+    null when the images are identical.
+    """
+    image_ssim: float | None = None
+    """
+    Structural similarity of luma (Wang et al. 2004), mean over the frames; null for mode trace.
+    """
+    image_flip_mean: float | None = None
+    """
+    LDR-FLIP at 67 pixels a degree, 0 to 1, mean over the frames; null for mode trace.
+    """
+    image_flip_p99: float | None = None
+    """
+    99th percentile over the pixels of the worst frame; null for mode trace.
+    """
+    image_flip_max: float | None = None
+    """
+    Of the worst pixel; null for mode trace.
+    """
+    changed_pixels_ppm: float | None = None
+    """
+    Pixels with another 8-bit sRGB value; null for mode trace.
+    """
+    primary_rays: RayVerdicts | None = None
+    shadow_rays: RayVerdicts | None = None
+    """
+    Of at most 100,000 evenly spaced shadow rays of each compared frame's primary hits; null for modes without shadows.
+    """
+
+
+class Gate(BaseModel):
+    """
+    Whether the row counts: closed when its error is known and within the limit of its tier, else open. The error is that of the timed kernel on the compared frames of this benchmark.
+    """
+
+    tier: Literal["strict", "fast", "auto", "custom"] | None
+    """
+    custom: knobs given by name, held to the limit of the tier that was asked for; null for a technique without knobs.
+    """
+    status: Literal["closed", "open"]
+    limit_ppm: float | None
+    """
+    Wrong rays of a million that are allowed; null: no limit, the error is stated alone.
+    """
+    wrong: int
+    """
+    Of primary and shadow rays.
+    """
+    rays: int
+    """
+    Primary and shadow rays that were compared.
+    """
+    wrong_ppm: float
+    wrong_ppm_upper95: float
+    """
+    Upper end of a 95 % interval; 3/N when none was wrong.
+    """
+    reason: str
+    """
+    One sentence for people.
+    """
+    choice: KnobChoice | None
+    """
+    Of tier auto.
+    """
 
 
 class AccuracyResult(BaseModel):
@@ -1087,5 +1170,61 @@ class AccuracyResult(BaseModel):
     rows: list[SweepRow]
     invalid_costs: list[InvalidCost]
     cases: list[HardCase]
+    stop_reason: Literal["completed", "time_limit"]
+    notes: list[str]
+
+
+class ResultRow(BaseModel):
+    structure: str
+    traversal: str
+    structure_id: str
+    mode: Literal["trace", "primary", "shadow", "whitted"]
+    frame_ms: Statistics
+    mrays_per_s: float
+    """
+    All rays of the mode over the mean frame time.
+    """
+    rays_per_frame: float
+    """
+    Primary shadow and secondary rays together.
+    """
+    steps_per_ray: float | None
+    """
+    From a separately compiled counting kernel; null where the technique cannot count.
+    """
+    tests_per_ray: float | None
+    frame_times_ms: list[float] | None = None
+    """
+    Median time of each frame in order.
+    """
+    kernel: KernelFigures | None = None
+    """
+    The kernel that was timed; null where there is none.
+    """
+    throughput: Throughput | None = None
+    """
+    Several frames in one launch; null where the device takes one at a time.
+    """
+    error: ErrorFigures
+    kernel_options: dict[str, float | str] | None = None
+    """
+    All that the traversal has, with the tier's knobs.
+    """
+    gate: Gate | None = None
+
+
+class BenchmarkResult(BaseModel):
+    schema_version: Literal[1]
+    id: str
+    created_at: str
+    machine: Machine
+    scene: Scene
+    spec: BenchmarkSpec
+    structures: list[Structure]
+    rows: list[ResultRow]
+    telemetry: Telemetry | None = None
+    """
+    null where the device has no sensors that can be read.
+    """
     stop_reason: Literal["completed", "time_limit"]
     notes: list[str]
