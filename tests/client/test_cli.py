@@ -126,10 +126,10 @@ def test_render(raywalk, ready, tmp_path, name, accept) -> None:
 
 
 def test_render_a_pose(raywalk, ready, tmp_path) -> None:
-    words = ["--eye", "0,0.5,2", "--target", "0,0,0", "--fov", "60", "--output", "steps"]
+    words = ["--eye", "0,0.5,2", "--target", "0,0,0", "--fov", "60", "--output", "steps", "--tier", "fast"]
     assert raywalk("render", "bunny", "--out", tmp_path / "f.png", *words).exit_code == 0
     assert ready.sent()["camera"] == {"eye": [0, 0.5, 2], "target": [0, 0, 0], "vertical_fov_deg": 60}
-    assert ready.sent()["output"] == "steps"
+    assert (ready.sent()["output"], ready.sent()["tier"]) == ("steps", "fast")
 
 
 @pytest.mark.parametrize(
@@ -142,6 +142,7 @@ def test_render_a_pose(raywalk, ready, tmp_path) -> None:
         ["--eye", "0,1", "--target", "0,0,0"],
         ["--fov", "9"],
         ["--mode", "path"],
+        ["--tier", "auto"],
         ["--frame", "1", "--eye", "0,0,1", "--target", "0,0,0"],
     ],
 )

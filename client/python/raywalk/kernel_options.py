@@ -45,19 +45,22 @@ def with_options(technique: Technique, kernel: Options) -> Technique:
     return technique.model_copy(update={"kernel": (technique.kernel or {}) | kernel}) if kernel else technique
 
 
+def options_of(row: ResultRow) -> Options:
+    """All of the row's kernel; none where it has no choice. Older daemons told those of a GPU alone."""
+    return row.kernel_options or (row.kernel.options if row.kernel else {})
+
+
 def asked(spec: BenchmarkSpec, row: ResultRow) -> Options:
     """The options of a row's kernel that its benchmark named, in order of their names; the rest have their defaults."""
-    if row.kernel is None:
-        return {}
     same = (row.structure, row.traversal)
     techniques = [one for one in spec.techniques or [] if (one.structure, one.traversal) == same]
     named = {name for technique in techniques for name in technique.kernel or {}}
-    return {name: value for name, value in sorted(row.kernel.options.items()) if name in named}
+    return {name: value for name, value in sorted(options_of(row).items()) if name in named}
 
 
 def register_cap(row: ResultRow) -> int:
     """0: the compiler's choice."""
-    return int(float(row.kernel.options.get(REGISTERS, 0))) if row.kernel else 0
+    return int(float(options_of(row).get(REGISTERS, 0)))
 
 
 def label(spec: BenchmarkSpec, row: ResultRow, without: str = "") -> str:
@@ -88,7 +91,7 @@ def common_options(result: BenchmarkResult) -> Options | None:
         for technique in result.spec.techniques or []
     ]
     common = {name: value for _, kernel in given for name, value in kernel.items()}
-    has = {(row.structure, row.traversal): set(row.kernel.options) for row in result.rows if row.kernel}
+    has = {(row.structure, row.traversal): set(known) for row in result.rows if (known := options_of(row))}
     for technique, kernel in given:
         names = has.get((technique.structure, technique.traversal), set(kernel))
         if kernel != {name: value for name, value in common.items() if name in names}:

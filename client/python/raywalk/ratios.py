@@ -1,5 +1,6 @@
 """What the project promises of speed, as ratios within one result."""
 
+from raywalk.gate import closed, tier_of
 from raywalk.models import BenchmarkResult, ResultRow
 
 LOOPS = ("embree/loop-1", "embree/loop-8")
@@ -11,14 +12,32 @@ LEAST_SIDE = 1024  # pixels: smaller frames measure the call more than the rays
 
 
 def ratios(result: BenchmarkResult) -> list[str]:
-    """A line for each ratio whose two sides were measured."""
-    rows = {(f"{row.structure}/{row.traversal}", row.mode): row for row in result.rows}
+    """A line for each ratio whose two sides were measured; open rows are left out."""
+    rows: dict[tuple[str, str], ResultRow] = {}
+    for row in closed(result.rows):
+        rows.setdefault((f"{row.structure}/{row.traversal}", row.mode), row)
     lines = build_lines(result)
     loops = [rows[loop, "trace"] for loop in LOOPS if (loop, "trace") in rows]
     if loops and (frame := rows.get((ENGINE, "primary"))):
         lines.append(overhead_line(frame, min(loops, key=lambda row: row.frame_ms.median), result))
     if ours := rows.get((OURS, "trace")):
         lines += [share_line(ours, rows[name, "trace"], result) for name in (ENGINE, *LOOPS) if (name, "trace") in rows]
+    lines += tier_lines(result)
+    if left_out := len(result.rows) - len(closed(result.rows)):
+        lines.append(f"{left_out} open row{'s are' if left_out > 1 else ' is'} left out of these ratios")
+    return lines
+
+
+def tier_lines(result: BenchmarkResult) -> list[str]:
+    """What the strict tier costs where other knobs were measured beside it."""
+    rows = {(row.structure_id, row.traversal, row.mode, tier_of(row)): row for row in closed(result.rows)}
+    lines = []
+    for (structure, traversal, mode, tier), row in rows.items():
+        strict = rows.get((structure, traversal, mode, "strict"))
+        if strict and tier in ("fast", "auto") and row.kernel_options != strict.kernel_options:
+            ratio = strict.frame_ms.median / row.frame_ms.median
+            times = f"{strict.frame_ms.median:.2f} and {row.frame_ms.median:.2f} ms"
+            lines.append(f"{row.structure}/{traversal}, {mode}: strict takes {ratio:.2f}x the time of {tier} ({times})")
     return lines
 
 

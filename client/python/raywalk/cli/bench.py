@@ -1,6 +1,6 @@
 """raywalk bench: a benchmark job, its table and the ratios that are promised."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -16,8 +16,9 @@ from raywalk.progress import job_bar, messages
 from raywalk.ratios import ratios
 from raywalk.tables import TABLES, table_text, terminal
 from raywalk.tables.files import result_json
-from raywalk.techniques import bare_loops, measured
+from raywalk.techniques import bare_loops, in_tiers, measured
 
+TIERS = ("strict", "fast", "auto")
 MODES = "trace,primary,shadow,whitted"
 TIMES, KERNELS = 2, 3  # tables
 
@@ -32,14 +33,18 @@ def spec_of(scene: str, techniques: str | None, modes: str, **numbers: object) -
 
 
 def measure(
-    client: Client, spec: BenchmarkSpec, progress: Callable[[Job], None], kernel: Options | None = None
+    client: Client,
+    spec: BenchmarkSpec,
+    progress: Callable[[Job], None],
+    kernel: Options | None = None,
+    tiers: Sequence[str] = TIERS[:1],
 ) -> BenchmarkResult:
     """Runs the job; when no techniques are named, with all of them, and in mode trace with the bare loops too."""
-    if spec.techniques is None or kernel:
+    if spec.techniques is None or kernel or tuple(tiers) != TIERS[:1]:
         kinds = client.get_kinds()
         loops = bare_loops(kinds) if "trace" in (spec.modes or []) else []
         techniques = spread_over(kinds, spec.techniques or measured(kinds) + loops, kernel or {})
-        spec = spec.model_copy(update={"techniques": techniques})
+        spec = spec.model_copy(update={"techniques": in_tiers(kinds, techniques, tiers)})
     return benchmark(client, spec, progress)
 
 
@@ -60,6 +65,16 @@ def scene_of(scene: str | None, table: int) -> str:
     if scene is None and table == TIMES:
         raise typer.BadParameter("name a scene; only --table 3 has one of its own (bunny)")
     return scene or sweep.SCENE
+
+
+def tiers_of(text: str, table: int) -> list[str]:
+    """Tiers separated by commas, each once."""
+    tiers = list(dict.fromkeys(words(text)))
+    if not tiers or not set(tiers) <= set(TIERS):
+        raise typer.BadParameter(f"{text!r} is not one or more of {', '.join(TIERS)}")
+    if table == KERNELS and tiers != ["strict"]:
+        raise typer.BadParameter("--table 3 is about the strict tier; --kernel names other knobs")
+    return tiers
 
 
 def kernel_of(text: str | None, table: int, registers: str | None) -> Options:
@@ -98,8 +113,15 @@ def bench(
     time_limit: Annotated[float | None, typer.Option(help="Seconds after which measuring stops.")] = None,
     kernel: Annotated[
         str | None,
-        typer.Option(help="Kernel options on a GPU; each technique takes those that it has.", metavar="NAME=VALUE,..."),
+        typer.Option(help="Kernel options; each technique takes those that it has.", metavar="NAME=VALUE,..."),
     ] = None,
+    tier: Annotated[
+        str,
+        typer.Option(
+            help="Of strict, fast and auto, separated by commas; auto measures which knobs are cheapest for the scene.",
+            metavar="TIER,...",
+        ),
+    ] = "strict",
     table: Annotated[
         int, typer.Option(min=TIMES, max=KERNELS, help="2: times; 3: registers, occupancy and times of GPU kernels.")
     ] = TIMES,
@@ -114,7 +136,7 @@ def bench(
     """Measure techniques on a scene's walkthrough; each time stands beside its error. `--table 3` measures GPU kernels
     under a sweep of register caps."""
     scene, (width, height) = scene_of(scene, table), size(size_)
-    asked = kernel_of(kernel, table, registers)
+    asked, tiers = kernel_of(kernel, table, registers), tiers_of(tier, table)
     numbers = {"width": width, "height": height, "frames": frames, "depth": depth, "repeats": repeats}
     numbers |= {"warmup": warmup, "time_limit_s": time_limit, "batch": batch, "error_frames": error_frames}
     if table == KERNELS:
@@ -128,7 +150,7 @@ def bench(
         if table == KERNELS:
             measured_ = measure_sweep(client, spec, progress, asked, caps)
         else:
-            measured_ = [measure(client, spec, progress, asked)]
+            measured_ = [measure(client, spec, progress, asked, tiers)]
     for path, result in zip(files_of(out, len(measured_)), measured_, strict=True) if out is not None else ():
         path.write_text(result_json(result))
         messages().print(f"wrote {path}")

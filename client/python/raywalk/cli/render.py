@@ -33,6 +33,11 @@ class Output(StrEnum):
     STEPS = "steps"
 
 
+class Tier(StrEnum):
+    STRICT = "strict"
+    FAST = "fast"
+
+
 Scene = Annotated[str, typer.Argument(help="Name of a scene.")]
 Structure = Annotated[str, typer.Option(help="Kind of structure, built first with its default options.")]
 Traversal = Annotated[str, typer.Option(help="Traversal of that kind.")]
@@ -91,6 +96,9 @@ def render(
     mode: ModeOption = Mode.PRIMARY,
     depth: Depth = 2,
     output: OutputOption = Output.COLOR,
+    tier: Annotated[Tier, typer.Option(help="Accuracy of the kernel: strict, or fast with up to 1 ppm of errors.")] = (
+        Tier.STRICT
+    ),
 ) -> None:
     """Render one frame into a file."""
     if out.suffix.lower() not in SUFFIXES:
@@ -112,6 +120,7 @@ def render(
             mode=mode.value,
             depth=depth,
             output=output.value,
+            tier=tier.value,
         )
         got = client.render_frame(request, SUFFIXES[out.suffix.lower()])
     save_frame(got, out)

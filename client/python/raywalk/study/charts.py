@@ -3,11 +3,12 @@
 import math
 from collections.abc import Sequence
 
+from raywalk.gate import is_open
 from raywalk.models import BenchmarkResult
 from raywalk.study import svg
 from raywalk.study.collect import Study
 from raywalk.study.names import BASES, NAMES, RAYS, row_of, techniques_in
-from raywalk.study.times import paper_times, percents, times_of
+from raywalk.study.times import closed_times_of, paper_times, percents
 
 LEFT, TOP, BOTTOM = 52.0, 56.0, 54.0
 BAR, GAP = 13.0, 26.0  # a bar's width; between scenes
@@ -36,15 +37,16 @@ def legend(techniques: Sequence[str], y: float, extra: str = "") -> str:
 
 
 def bar_chart(study: Study, mode: str) -> str | None:
-    """Percentages of the mode's 100 %, a group of bars a scene, the paper's as marks; None without any."""
-    results = [result for result in study.all_results if times_of(result, mode)]
+    """Percentages of the mode's 100 %, a group of bars a scene, the paper's as marks; None without any. Open rows
+    have no bar."""
+    results = [result for result in study.all_results if closed_times_of(result, mode)]
     if not results:
         return None
     techniques = techniques_in(results)
     group = BAR * len(techniques)
     width = max(LEFT + 620.0, LEFT + len(results) * (group + GAP) + GAP)
     gap = (width - LEFT - len(results) * group) / (len(results) + 1)
-    shares = [percents(times_of(result, mode), mode) for result in results]
+    shares = [percents(closed_times_of(result, mode), mode) for result in results]
     theirs = [percents(paper_times(result, mode), mode) for result in results]
     most = min(MOST_PERCENT, max((max(one.values()) for one in shares + theirs if one), default=100.0))
     scale = ticks(most)
@@ -57,7 +59,7 @@ def bar_chart(study: Study, mode: str) -> str | None:
     for number, result in enumerate(results):
         left = LEFT + gap + number * (group + gap)
         for place, technique in enumerate(techniques):
-            x, times = left + place * BAR, times_of(result, mode)
+            x, times = left + place * BAR, closed_times_of(result, mode)
             if technique in shares[number]:
                 parts.append(bar(x, shares[number][technique], scale[-1], technique, result, times[technique]))
             if technique in theirs[number]:
@@ -83,13 +85,13 @@ def bar(x: float, percent: float, most: float, technique: str, result: Benchmark
 
 
 def resolution_points(results: Sequence[BenchmarkResult]) -> dict[str, list[tuple[int, int, float, float, float]]]:
-    """By technique: width, height, median, least and most ms of a frame, by growing size."""
+    """By technique: width, height, median, least and most ms of a frame, by growing size; closed rows alone."""
     ordered = sorted(results, key=lambda result: (result.spec.width or 0) * (result.spec.height or 0))
     points: dict[str, list[tuple[int, int, float, float, float]]] = {}
     for result in ordered:
         for technique in techniques_in([result]):
             row = row_of(result, (result.spec.modes or ["primary"])[-1], technique)
-            if row:
+            if row and not is_open(row):
                 seen = row.frame_ms
                 frames = row.frame_times_ms or [seen.median]
                 size = (result.spec.width or 0, result.spec.height or 0)

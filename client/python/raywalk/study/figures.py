@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Protocol
 
+from raywalk.gate import is_open
 from raywalk.models import BenchmarkResult
 from raywalk.study.compare import Times
 from raywalk.study.names import row_of
@@ -30,10 +31,10 @@ class Measured:
         self.scenes: Sequence[str] = list(self._results)
 
     def times(self, scene: str, mode: str, technique: str) -> Times | None:
-        """None, too, for mode whitted where nothing in view reflects or refracts."""
+        """None, too, for an open row, and for mode whitted where nothing in view reflects or refracts."""
         result = self._results[scene]
         row = row_of(result, mode, technique)
-        if row is None or row.frame_ms.mean <= 0:
+        if row is None or is_open(row) or row.frame_ms.mean <= 0:
             return None
         without = row_of(result, "shadow", technique) if mode == "whitted" else None
         if without and row.rays_per_frame < SECONDARY * without.rays_per_frame:

@@ -1,5 +1,6 @@
 """FINDINGS.md: what the study finds on this device, from its figures alone."""
 
+from raywalk.gate import open_notes
 from raywalk.study.collect import Study
 from raywalk.study.names import FAMILIES, NAMES, RAYS
 from raywalk.study.prose import differences, errors, headline, held, missing
@@ -8,8 +9,9 @@ from raywalk.study.winners import Win, winners
 
 NOTE = (
     "A structure's time is that of its fastest technique ({members}); the factor is the next structure's time over it. "
-    "Even: within the interval or 3.5 %, what repeats of one frame may spread. Intervals are 95 % bootstrap intervals "
-    "over the frames of the walkthrough; means over scenes are geometric."
+    "An open row, which has more wrong rays than its tier allows, cannot win. Even: within the interval or 3.5 %, what "
+    "repeats of one frame may spread. Intervals are 95 % bootstrap intervals over the frames of the walkthrough; means "
+    "over scenes are geometric."
 )
 
 
@@ -29,6 +31,7 @@ def findings_markdown(study: Study) -> str:
         lines += conclusion(one)
     lines += ["## How wrong", ""]
     lines += [f"- {said}." for said in errors(study.all_results)]
+    lines += [f"- {said}" for said in open_notes(study.all_results)]
     lines += ["", "## How each scene differs from the paper's", ""]
     lines += [f"- **{one.scene.name}**: {' '.join(differences(one.scene))}" for one in study.all_results]
     return "\n".join(lines) + "\n"

@@ -5,6 +5,7 @@ from html import escape
 from raywalk.accuracy.chart import chart
 from raywalk.accuracy.drawing import svg_of
 from raywalk.accuracy.tables import machine_line, sweep_table
+from raywalk.gate import open_notes
 from raywalk.study.charts import bar_chart, line_chart
 from raywalk.study.collect import Picture, Study
 from raywalk.study.findings import note
@@ -93,7 +94,9 @@ def findings_section(study: Study, found: list[Finding]) -> str:
     if not study.results:
         return ""
     cards = "".join(card(one) for one in found)
-    wrong = tag("h3", "How wrong") + bullets([f"{said}." for said in errors(study.all_results)])
+    wrong = tag("h3", "How wrong") + bullets(
+        [f"{said}." for said in errors(study.all_results)] + open_notes(study.all_results)
+    )
     intro = f"What {PAPER} concluded from a {PAPER_DEVICE}, against the figures of this device."
     return paragraph(intro, "faint") + tag("div", cards, "cards") + wrong
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 
+from raywalk.gate import OPEN, is_open, open_notes
 from raywalk.models import BenchmarkResult, ResultRow
 from raywalk.study.collect import Study
 from raywalk.study.names import BASES, EMBREE, NAMES, RAYS, STUDIED, row_of, techniques_in
@@ -53,10 +54,11 @@ def time_table(study: Study, mode: str, letter: str) -> Table:
         if not row and not theirs:
             continue
         table.sections.add(len(table.rows))
-        mark_best(table, row, techniques)
+        counted = closed_times_of(result, mode)
+        mark_best(table, counted, techniques)
         name = f"{result.scene.name} ({result.scene.fidelity})"
-        table.rows.append([name, *cells(row, mode, techniques), *worst(result, mode)])
-        ours.append(row)
+        table.rows.append([name, *our_cells(row, counted, mode, techniques), *worst(result, mode)])
+        ours.append(counted)
         if theirs:
             papers.append(theirs)
             table.rows.append(["  paper", *cells(theirs, mode, techniques), *NO_ERRORS])
@@ -80,6 +82,21 @@ def add_averages(table: Table, mode: str, techniques: Sequence[str], ours: list[
 def times_of(result: BenchmarkResult, mode: str) -> Row:
     rows = {technique: row_of(result, mode, technique) for technique in NAMES}
     return {technique: row.frame_ms.mean for technique, row in rows.items() if row}
+
+
+def closed_times_of(result: BenchmarkResult, mode: str) -> Row:
+    """Those that may be compared."""
+    rows = {technique: row_of(result, mode, technique) for technique in NAMES}
+    return {technique: row.frame_ms.mean for technique, row in rows.items() if row and not is_open(row)}
+
+
+def our_cells(row: Row, counted: Row, mode: str, techniques: Sequence[str]) -> list[Cell]:
+    """An open row has its time, marked, and no share."""
+    shown = cells(counted, mode, techniques)
+    for number, technique in enumerate(techniques):
+        if technique in row and technique not in counted:
+            shown[2 * number] = f"{row[technique]:.1f} {OPEN}"
+    return shown
 
 
 def paper_times(result: BenchmarkResult, mode: str) -> Row:
@@ -145,7 +162,7 @@ def notes(study: Study) -> list[str]:
         f"paper: {PAPER_DEVICE}, {PAPER_SIZE}, {PAPER_FRAMES} frames of its own walkthroughs.",
     ]
     results = study.all_results
-    said += error_note(results)
+    said += error_note(results) + open_notes(results)
     short = [result.scene.name for result in results if result.stop_reason != "completed"]
     if short:
         said.append(f"measuring stopped at the time limit, with fewer frames: {', '.join(short)}.")

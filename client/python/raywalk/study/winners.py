@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from raywalk.gate import is_open
 from raywalk.models import BenchmarkResult, ResultRow
 from raywalk.study.compare import Ratio, Times, ratio
 from raywalk.study.names import FAMILIES, NAMES, row_of
@@ -36,7 +37,7 @@ class Win:
 
 
 def winners(results: Sequence[BenchmarkResult]) -> list[Win]:
-    """One for every scene and mode in which at least two structures were measured."""
+    """One for every scene and mode in which at least two structures were measured. An open row cannot win."""
     found = [winner(result, mode) for result in results for mode in MODES]
     return [win for win in found if win]
 
@@ -44,8 +45,8 @@ def winners(results: Sequence[BenchmarkResult]) -> list[Win]:
 def winner(result: BenchmarkResult, mode: str) -> Win | None:
     best: dict[str, ResultRow] = {}
     for family, members in FAMILIES.items():
-        rows = [row for member in members if (row := row_of(result, mode, member)) and row.frame_ms.mean > 0]
-        if rows:
+        known = [row for member in members if (row := row_of(result, mode, member)) and row.frame_ms.mean > 0]
+        if rows := [row for row in known if not is_open(row)]:
             best[family] = min(rows, key=lambda row: row.frame_ms.mean)
     if len(best) < 2:
         return None

@@ -13,6 +13,11 @@ def techniques_of(spec: BenchmarkSpec) -> list[str]:
     return list(dict.fromkeys(f"{one.structure}/{one.traversal}" for one in spec.techniques or []))
 
 
+def tiers_of(spec: BenchmarkSpec) -> list[str]:
+    """Each once; results of older daemons are strict."""
+    return list(dict.fromkeys(one.tier or "strict" for one in spec.techniques or [])) or ["strict"]
+
+
 def command_of(result: BenchmarkResult) -> str:
     """The command that runs this benchmark again; the standard techniques need no naming."""
     spec = result.spec
@@ -23,6 +28,8 @@ def command_of(result: BenchmarkResult) -> str:
         words.append(f"--techniques {','.join(techniques_of(spec))}")
     if caps:
         words.append(f"--registers {','.join(str(cap) for cap in caps)}")
+    if tiers_of(spec) != ["strict"]:
+        words.append(f"--tier {','.join(tiers_of(spec))}")
     if kernel:
         words.append(f"--kernel {options_text(kernel)}")
     if spec.depth != 2:

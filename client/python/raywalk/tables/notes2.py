@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 
+from raywalk.gate import gate_notes
 from raywalk.models import BenchmarkResult, ResultRow
 from raywalk.tables.gpu import gpu_notes
 from raywalk.tables.paper import PAPER_DEVICE, PAPER_FRAMES, PAPER_SIZE, Paper
@@ -35,7 +36,7 @@ def notes(results: Sequence[BenchmarkResult]) -> list[str]:
     ]
     modes = {row.mode for result in results for row in result.rows}
     said.append("Modes: " + "; ".join(f"{mode}: {prose}" for mode, prose in MODES.items() if mode in modes) + ".")
-    said += error_note(results)
+    said += error_note(results) + gate_notes(results)
     if any(Paper(result.scene.paper).has_times for result in results):
         said.append(f"{PAPER_DEVICE}: the paper's times, {PAPER_SIZE}, {PAPER_FRAMES} frames of its own walkthroughs.")
     if any(is_bound(row) for result in results for row in result.rows):

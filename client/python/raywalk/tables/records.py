@@ -5,6 +5,7 @@ import io
 from collections.abc import Sequence
 from typing import Any
 
+from raywalk.gate import is_open, tier_of
 from raywalk.kernel_options import asked, options_text
 from raywalk.models import BenchmarkResult, ResultRow
 from raywalk.tables.gpu import telemetry_text
@@ -13,7 +14,7 @@ from raywalk.tables.notes2 import BASE, technique
 from raywalk.tables.paper import PAPER_DEVICE, PAPER_FRAMES, PAPER_SIZE, Paper
 from raywalk.tables.runs import compared_of
 from raywalk.tables.table1 import FIGURES, counted_row, our_figure, paper_figure
-from raywalk.tables.table2 import base_of
+from raywalk.tables.table2 import base_ms
 
 Record = dict[str, Any]
 NAMES = {
@@ -64,13 +65,13 @@ def records2(results: Sequence[BenchmarkResult]) -> list[Record]:
 
 
 def time_record(result: BenchmarkResult, row: ResultRow) -> Record:
-    base = base_of(row.mode, [other for other in result.rows if other.mode == row.mode])
+    base = None if is_open(row) else base_ms(row.mode, [other for other in result.rows if other.mode == row.mode])
     paper, error = Paper(result.scene.paper), row.error
     theirs, their_base = paper.frame_ms(row.mode, technique(row)), paper.frame_ms(row.mode, BASE[row.mode])
     return (
         key_of(result)
         | {"mode": row.mode, "technique": technique(row), "depth": result.spec.depth}
-        | {"frame_mean_ms": row.frame_ms.mean, "frame_percent": share(row.frame_ms.mean, base.frame_ms.mean)}
+        | {"frame_mean_ms": row.frame_ms.mean, "frame_percent": share(row.frame_ms.mean, base)}
         | {"frame_median_ms": row.frame_ms.median, "unstable": int(row.frame_ms.unstable)}
         | {"mrays_per_s": row.mrays_per_s, "rays_per_frame": row.rays_per_frame}
         | {"error_reference": error.reference, "error_frames": compared_of(result), "ids_ppm": error.id_mismatch_ppm}
@@ -81,10 +82,24 @@ def time_record(result: BenchmarkResult, row: ResultRow) -> Record:
         | {"changed_pixels_ppm": error.changed_pixels_ppm}
         | {f"{PAPER_PREFIX}_frame_ms": theirs, f"{PAPER_PREFIX}_percent": share(theirs, their_base)}
         | {"kernel_options": options_text(asked(result.spec, row))}
+        | gate_record(row)
         | throughput_record(row)
         | {"telemetry": telemetry_text(result) if result.telemetry else None}
         | origin_of(result)
     )
+
+
+def gate_record(row: ResultRow) -> Record:
+    gate = row.gate
+    return {
+        "tier": tier_of(row),
+        "gate": gate and gate.status,
+        "gate_limit_ppm": gate and gate.limit_ppm,
+        "wrong_rays": gate and gate.wrong,
+        "wrong_ppm": gate and gate.wrong_ppm,
+        "wrong_upper95_ppm": gate and gate.wrong_ppm_upper95,
+        "gate_reason": gate and gate.reason,
+    }
 
 
 def throughput_record(row: ResultRow) -> Record:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from raywalk.gate import closed, is_open, marked, tier_of, word_of
 from raywalk.kernel_options import label as name_of
 from raywalk.models import BenchmarkResult, ResultRow
 from raywalk.tables.gpu import faster_cell, on_gpu, throughput_cells, throughput_columns
@@ -15,11 +16,14 @@ from raywalk.tables.table import Cell, Column, Table
 SINGLE = [
     Column("mode", left=True),
     Column("technique", left=True),
+    Column("tier", left=True, optional=True),
     Column("ms", "frame", 2),
     Column("%", "frame"),
     Column("Mrays/s", "", 2),
 ]
 ERRORS = [
+    Column("gate", left=True, optional=True),
+    Column("wrong ppm", "error", optional=True),
     Column("ids ppm", "error"),
     Column("95 % ≤", "error", 1),
     Column("RMSE", "error"),
@@ -56,23 +60,25 @@ def table2(results: Sequence[BenchmarkResult]) -> Table:
 
 def add_mode(table: Table, result: BenchmarkResult, label: list[Cell], mode: str, rows: list[ResultRow]) -> None:
     paper = Paper(result.scene.paper)
-    base = base_of(mode, rows).frame_ms.mean
-    best = min((row for row in rows if not is_bound(row)), key=lambda row: row.frame_ms.mean, default=None)
+    base = base_ms(mode, rows)
+    best = min((row for row in closed(rows) if not is_bound(row)), key=lambda row: row.frame_ms.mean, default=None)
     for number, row in enumerate(rows):
         if row is best:
             table.best.add(len(table.rows))
-        name = name_of(result.spec, row) + (" *" if row.frame_ms.unstable else "")
+        name = marked(name_of(result.spec, row), row) + (" *" if row.frame_ms.unstable else "")
         cells = [*label, mode, name] if number == 0 else [*[""] * len(label), "", name]
-        cells += [row.frame_ms.mean, percent(row.frame_ms.mean, base), row.mrays_per_s]
+        share = None if is_open(row) else percent(row.frame_ms.mean, base)
+        cells += [tier_of(row), row.frame_ms.mean, share, row.mrays_per_s]
         cells += throughput_cells(row) + error_cells(row)
         cells += [*paper_cells(paper, mode, technique(row)), faster_cell(result, row)]
         table.rows.append(cells)
 
 
-def base_of(mode: str, rows: list[ResultRow]) -> ResultRow:
-    """The row that is 100 %: the paper's choice, else the fastest."""
-    named = [row for row in rows if technique(row) == BASE[mode]]
-    return named[0] if named else min(rows, key=lambda row: row.frame_ms.mean)
+def base_ms(mode: str, rows: list[ResultRow]) -> float | None:
+    """The time that is 100 %: of the paper's choice, else of the fastest; None when every row is open."""
+    counted = closed(rows)
+    named = [row for row in counted if technique(row) == BASE[mode]]
+    return min((row.frame_ms.mean for row in named[:1] or counted), default=None)
 
 
 def percent(value: float | None, base: float | None) -> str | None:
@@ -84,7 +90,8 @@ def error_cells(row: ResultRow) -> list[Cell]:
     ppm = f"{error.id_mismatch_ppm:.3g}"
     rmse = None if row.mode == "trace" else f"{error.image_rmse:.2g}"
     flip = None if error.image_flip_mean is None else f"{error.image_flip_mean:.2g}"
-    return [ppm, error.id_mismatch_ppm_upper95, rmse, flip]
+    wrong = f"{row.gate.wrong_ppm:.3g}" if row.gate else None
+    return [word_of(row), wrong, ppm, error.id_mismatch_ppm_upper95, rmse, flip]
 
 
 def paper_cells(paper: Paper, mode: str, name: str) -> list[Cell]:

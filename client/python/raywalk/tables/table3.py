@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from raywalk.errors import RaywalkError
+from raywalk.gate import closed, is_open, marked, open_notes, tier_of
 from raywalk.kernel_options import REGISTERS, label, register_cap
 from raywalk.models import BenchmarkResult, ResultRow
 from raywalk.tables import paper3
@@ -64,14 +65,14 @@ def groups(result: BenchmarkResult) -> list[list[ResultRow]]:
     found: dict[tuple[str, str, str], list[ResultRow]] = {}
     for row in sorted(result.rows, key=lambda row: list(MODES).index(row.mode)):
         if row.kernel:
-            key = (row.mode, row.structure_id, label(result.spec, row, without=REGISTERS))
+            key = (row.mode, row.structure_id, f"{label(result.spec, row, without=REGISTERS)} {tier_of(row)}")
             found.setdefault(key, []).append(row)
     return [sorted(rows, key=register_cap) for rows in found.values()]
 
 
 def best_of(group: Sequence[ResultRow]) -> ResultRow | None:
-    """The fastest; None where there is nothing to choose from."""
-    return min(group, key=lambda row: row.frame_ms.median) if len(group) > 1 else None
+    """The fastest closed one; None where there is nothing to choose from."""
+    return min(closed(group), key=lambda row: row.frame_ms.median, default=None) if len(group) > 1 else None
 
 
 def add_group(table: Table, result: BenchmarkResult, start: list[Cell], group: list[ResultRow]) -> None:
@@ -79,7 +80,7 @@ def add_group(table: Table, result: BenchmarkResult, start: list[Cell], group: l
     for number, row in enumerate(group):
         if row is best:
             table.best.add(len(table.rows))
-        name = label(result.spec, row, without=REGISTERS) + (" *" if row.frame_ms.unstable else "")
+        name = marked(label(result.spec, row, without=REGISTERS), row) + (" *" if row.frame_ms.unstable else "")
         cells = start if number == 0 else [""] * len(start)
         table.rows.append([*cells, name, *kernel_cells(row), *time_cells(row, best), *paper_cells(result, row)])
 
@@ -96,8 +97,10 @@ def time_cells(row: ResultRow, best: ResultRow | None) -> list[Cell]:
 
 
 def of_best(row: ResultRow, best: ResultRow | None) -> float | None:
-    """Time over the best cap's."""
-    return row.frame_ms.median / best.frame_ms.median if best and best.frame_ms.median > 0 else None
+    """Time over the best cap's; None for an open row."""
+    return (
+        row.frame_ms.median / best.frame_ms.median if best and not is_open(row) and best.frame_ms.median > 0 else None
+    )
 
 
 def theirs(row: ResultRow) -> PaperKernel | None:
@@ -127,6 +130,7 @@ def notes(results: Sequence[BenchmarkResult]) -> list[str]:
         "beside ours with that cap. It gives neither local nor shared memory, and times for robots, kitchen and "
         f"museum only (here mode {paper3.MODE}).",
     ]
+    said += open_notes(results)
     if any(row.frame_ms.unstable for result in results for row in result.rows):
         said.append("* unstable: repeats of the same frame spread by more than 3.5 %.")
     own = [f"{result.scene.name}: {note}" for result in results for note in notes_of(result)]
