@@ -53,7 +53,7 @@ TEST_P(Mutants, FailTheHardCases) {
 INSTANTIATE_TEST_SUITE_P(All, Mutants,
                          testing::Values(Mutant{"moeller_trumbore", "1,2", "bvh", "while-while"},
                                          Mutant{"contracted", "2,3", "brute", "loop"},
-                                         Mutant{"unpadded_boxes", "9,10,15", "bvh", "while-while"},
+                                         Mutant{"clamped_inverse", "9,10,15", "bvh", "while-while"},
                                          Mutant{"truncated_stack", "1", "bvh", "while-while"},
                                          Mutant{"accumulated_distance", "17", "grid", "dda"}),
                          [](const testing::TestParamInfo<Mutant>& mutant) { return mutant.param.name; });

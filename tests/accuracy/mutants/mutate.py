@@ -1,7 +1,7 @@
-"""Copies the kernels with one thing broken: mutate.py SOURCE_ROOT TARGET_ROOT FILE FIND REPLACE.
+"""Copies the kernels with something broken: mutate.py SOURCE_ROOT TARGET_ROOT FILE FIND REPLACE [FIND REPLACE ...].
 
-FIND must stand in FILE exactly once, else the mutation is out of date and the build fails. Files that are up to date
-are left alone, so that nothing is compiled again without need.
+Each FIND must stand in FILE exactly once, else the mutation is out of date and the build fails. Files that are up to
+date are left alone, so that nothing is compiled again without need.
 """
 
 import sys
@@ -14,16 +14,17 @@ def write_if_changed(path: Path, text: str) -> None:
         path.write_text(text, encoding="utf-8")
 
 
-def mutate(source: Path, target: Path, broken: str, find: str, replace: str) -> None:
+def mutate(source: Path, target: Path, broken: str, *changes: str) -> None:
     for path in sorted((source / "kernels").rglob("*")):
         name = path.relative_to(source)
-        if path.suffix != ".h" and not name.match("kernels/entry_trace_*.cpp"):
+        if path.suffix not in (".h", ".cpp"):
             continue
         text = path.read_text(encoding="utf-8")
         if name.as_posix() == broken:
-            if text.count(find) != 1:
-                sys.exit(f"{broken} has this {text.count(find)} times, not once: {find}")
-            text = text.replace(find, replace)
+            for find, replace in zip(changes[::2], changes[1::2], strict=True):
+                if text.count(find) != 1:
+                    sys.exit(f"{broken} has this {text.count(find)} times, not once: {find}")
+                text = text.replace(find, replace)
         write_if_changed(target / name, text)
 
 
