@@ -12,6 +12,7 @@ namespace {
 
 struct Mutant {
   std::string name, cases, structure, traversal;
+  std::string rays = "0.02";  // of the full number
 };
 
 struct Ended {
@@ -23,8 +24,8 @@ struct Ended {
 Ended run(const std::string& program, const Mutant& mutant) {
   const auto folder = std::filesystem::canonical("/proc/self/exe").parent_path() / "mutants";
   std::ostringstream command;
-  command << folder / program << " " << mutant.cases << " 0.02 " << mutant.structure << " " << mutant.traversal
-          << " 2>&1";
+  command << folder / program << " " << mutant.cases << " " << mutant.rays << " " << mutant.structure << " "
+          << mutant.traversal << " 2>&1";
   Ended ended{-1, ""};
   FILE* pipe = popen(command.str().c_str(), "r");
   if (pipe == nullptr) return ended;
@@ -55,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(All, Mutants,
                                          Mutant{"contracted", "2,3", "brute", "loop"},
                                          Mutant{"clamped_inverse", "9,10,15", "bvh", "while-while"},
                                          Mutant{"truncated_stack", "1", "bvh", "while-while"},
-                                         Mutant{"accumulated_distance", "17", "grid", "dda"}),
+                                         Mutant{"accumulated_distance", "17", "grid", "dda", "1"}),
                          [](const testing::TestParamInfo<Mutant>& mutant) { return mutant.param.name; });
 
 }  // namespace

@@ -43,8 +43,8 @@ std::vector<Ray> rays_at(const Mesh& mesh, u32 count, float reach, Random random
   return rays;
 }
 
-/// In the cube [-1, 1]^3 triangles as small as the cells of a long walk, close to where such a walk changes its row of
-/// cells; and for each a ray from outside that is aimed at it. A walk that is a few cells off passes it.
+/// In the cube [-1, 1]^3 triangles smaller than the cells of a long walk, close to where such a walk changes its row of
+/// cells; and for each a ray from outside that is aimed at it. A walk that is a cell off passes some of them.
 Mesh specks_at_borders(Random& random, u32 count, std::vector<Ray>& rays) {
   Mesh mesh = {triangle({-1, -1, -1}, {-1, -0.9f, -1}, {-0.9f, -1, -1}),
                triangle({1, 1, 1}, {1, 0.9f, 1}, {0.9f, 1, 1})};
@@ -55,8 +55,8 @@ Mesh specks_at_borders(Random& random, u32 count, std::vector<Ray>& rays) {
     };
     const float border = 0.25f * (static_cast<float>(random.below(7)) - 3.0f);
     const Vec3 centre =
-        along_axes(random.uniform(-0.9f, 0.9f), border + random.uniform(-2e-4f, 2e-4f), random.uniform(-0.9f, 0.9f));
-    const Vec3 half{1e-4f, 1e-4f, 1e-4f};
+        along_axes(random.uniform(-0.9f, 0.9f), border + random.uniform(-1e-4f, 1e-4f), random.uniform(-0.9f, 0.9f));
+    const Vec3 half{1e-5f, 1e-5f, 1e-5f};
     const Vec3 p = random.in_box(-half, half), q = random.in_box(-half, half);
     mesh.push_back(triangle(centre + p, centre + q, centre - p - q));
     const float forward = random.uniform(0.7f, 1.0f) * (random.below(2) != 0 ? 1.0f : -1.0f);
