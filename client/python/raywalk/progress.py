@@ -115,7 +115,7 @@ class StageBar:
 
     def __call__(self, job: Job) -> None:
         stage = job.stage if job.state != "queued" else f"queued behind {job.position}"
-        self._bar.update(round(100 * job.progress), 100, "%", f"{self._what}: {stage}")
+        self._bar.update(round(100 * job.progress), 100, what=f"{self._what}: {stage}")
 
 
 @contextmanager

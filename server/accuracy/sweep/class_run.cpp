@@ -14,8 +14,10 @@ constexpr double kMeasurePart = 0.5;  // of the progress
 
 /// A list with everything that is known of its rays.
 struct Inspected {
-  Inspected(RayList its_list, const Run& run, const ScenePtr& scene, const oracle::SceneOracle& oracle)
-      : list(std::move(its_list)), judge(oracle, SceneView{scene->blob->data()}, list), brute(run, scene, list) {}
+  Inspected(RayList its_list, const Run& run, const ScenePtr& scene, const Reference& reference)
+      : list(std::move(its_list)),
+        judge(reference.oracle, reference.scene, reference.fans, list),
+        brute(run, scene, list) {}
   RayList list;
   Judge judge;
   BruteForce brute;
@@ -62,8 +64,8 @@ u32 launches_of(const Run& run) {
   return run.spec.quick ? 5 : 9;
 }
 
-void run_class(Run& run, RayKind kind, const std::vector<Combination>& all, RayMaker& maker,
-               const oracle::SceneOracle& oracle, AccuracyResult& out,
+void run_class(Run& run, RayKind kind, const std::vector<Combination>& all, RayMaker& maker, const Reference& reference,
+               AccuracyResult& out,
                const std::function<void(const std::string& stage, double fraction, bool judging)>& report) {
   const std::string of_class = std::string(name_of(kind)) + " rays";
   report("making " + of_class, 0, false);
@@ -72,7 +74,7 @@ void run_class(Run& run, RayKind kind, const std::vector<Combination>& all, RayM
   std::vector<TimedList> timed;
   for (const std::size_t place : places) {
     std::unique_ptr<Inspected>& made = lists[key_of(kind, all[place].spawn())];
-    if (!made) made = std::make_unique<Inspected>(maker.make(kind, all[place].spawn()), run, out.scene, oracle);
+    if (!made) made = std::make_unique<Inspected>(maker.make(kind, all[place].spawn()), run, out.scene, reference);
     timed.push_back({&all[place], made->list.rays, made->list.query()});
   }
   if (timed.empty() || timed.front().rays.empty()) {

@@ -4,10 +4,18 @@
 
 namespace raywalk::accuracy {
 
+/// What answers are judged with.
+struct Reference {
+  explicit Reference(SceneView its_scene) : scene(its_scene), oracle(scene), fans(scene) {}
+  SceneView scene;
+  oracle::SceneOracle oracle;
+  VertexFans fans;
+};
+
 /// Appends a row for each combination to `out`, or a note when the scene has no such rays. `report` gets the stage and
 /// the fraction done of this class.
-void run_class(Run& run, RayKind kind, const std::vector<Combination>& all, RayMaker& maker,
-               const oracle::SceneOracle& oracle, AccuracyResult& out,
+void run_class(Run& run, RayKind kind, const std::vector<Combination>& all, RayMaker& maker, const Reference& reference,
+               AccuracyResult& out,
                const std::function<void(const std::string& stage, double fraction, bool judging)>& report);
 
 /// Launches of each list that count.

@@ -21,6 +21,13 @@ bool same(const Hit& a, const Hit& b) {
   return bits_of(a.t) == bits_of(b.t) && a.id == b.id;
 }
 
+/// Within a few near radii.
+bool passes_by(const Ray& ray, Vec3 p) {
+  const Vec3 to = p - ray.o;
+  const float distance = length(cross(to, normalized(ray.d)));
+  return distance <= 8.0f * static_cast<float>(oracle::kNear) * largest(magnitude(to));
+}
+
 /// Sums of two parts.
 void add_to(SweepErrors& sum, const SweepErrors& part) {
   sum.figures.add(part.figures);
@@ -45,7 +52,7 @@ std::vector<Ray> continued_rays(const std::vector<Ray>& rays, const std::vector<
   return out;
 }
 
-bool is_double_hit(const Ray& ray, const Corners& first, const Corners& second) {
+bool is_double_hit(const Ray& ray, const Corners& first, const Corners& second, const VertexFans& fans) {
   const Vec3 a[3] = {first.a, first.b, first.c}, b[3] = {second.a, second.b, second.c};
   Vec3 shared[3];
   u32 count = 0;
@@ -61,17 +68,19 @@ bool is_double_hit(const Ray& ray, const Corners& first, const Corners& second) 
   if (count == 0 || count == 3) return false;
   const auto inside = [&](const Corners& t) { return oracle::classify(ray, t).position == oracle::Position::inside; };
   if (inside(first) && inside(second)) return false;
-  if (count == 2) {  // the neighbours lie on different sides of the plane through the ray's origin and their edge
-    const Vec3 plane = cross(shared[0] - ray.o, shared[1] - ray.o);
-    return dot(plane, apex_a - shared[0]) * dot(plane, apex_b - shared[0]) < 0.0f;
+  for (u32 i = 0; i < count; ++i) {
+    if (passes_by(ray, shared[i])) return fans.face_alike(shared[i], ray.d);
   }
-  const auto facing = [&](const Vec3* t) { return dot(ray.d, normalized(cross(t[1] - t[0], t[2] - t[0]))); };
-  return facing(a) * facing(b) > 0.0f;
+  if (count == 1) return false;
+  // The neighbours lie on different sides of the plane through the ray's origin and their edge.
+  const Vec3 plane = cross(shared[0] - ray.o, shared[1] - ray.o);
+  return dot(plane, apex_a - shared[0]) * dot(plane, apex_b - shared[0]) < 0.0f;
 }
 
-Judge::Judge(const oracle::SceneOracle& oracle, SceneView scene, const RayList& list)
+Judge::Judge(const oracle::SceneOracle& oracle, SceneView scene, const VertexFans& fans, const RayList& list)
     : oracle_(oracle),
       scene_(scene),
+      fans_(fans),
       list_(list),
       stride_((list.rays.size() + kMostJudged - 1) / kMostJudged),
       known_(list.rays.empty() ? 0 : (list.rays.size() + stride_ - 1) / stride_) {}
@@ -100,8 +109,9 @@ void Judge::add(u64 place, const Answers& answers, SweepErrors& errors) {
   errors.figures.add(judgement);
   const bool nan = std::isnan(hit.t) || std::isnan(hit.u) || std::isnan(hit.v);
   const bool self = errors.self_hits && hit.id == list_.own[i];
-  const bool twice = errors.double_hits && hit.id != kMiss && answers.beyond[i].id != kMiss &&
-                     is_double_hit(list_.rays[i], scene_.corners()[hit.id], scene_.corners()[answers.beyond[i].id]);
+  const bool twice =
+      errors.double_hits && hit.id != kMiss && answers.beyond[i].id != kMiss &&
+      is_double_hit(list_.rays[i], scene_.corners()[hit.id], scene_.corners()[answers.beyond[i].id], fans_);
   errors.nan_outputs += nan;
   if (self) ++*errors.self_hits;
   if (twice) ++*errors.double_hits;

@@ -7,6 +7,7 @@
 #include "server/accuracy/oracle/figures.h"
 #include "server/accuracy/oracle/scene_oracle.h"
 #include "server/accuracy/sweep/ray_lists.h"
+#include "server/accuracy/sweep/vertex_fans.h"
 
 namespace raywalk::accuracy {
 
@@ -32,14 +33,15 @@ constexpr u32 kDoubleHitUlps = 16;
 std::vector<Ray> continued_rays(const std::vector<Ray>& rays, const std::vector<Hit>& hits);
 
 /// `first` and `second` are hits a few ulps apart of the same ray, on neighbours in a mesh that exact arithmetic passes
-/// once: not both are strictly met, and the surface does not turn back between them as at a silhouette.
-bool is_double_hit(const Ray& ray, const Corners& first, const Corners& second);
+/// once: not both are strictly met, and the surface does not turn back between them as at a silhouette, where a ray
+/// that is moved by a rounding may pass it three times.
+bool is_double_hit(const Ray& ray, const Corners& first, const Corners& second, const VertexFans& fans);
 
 /// Judges answers to one list. The verdict on an answer is remembered: techniques that agree cost once.
 class Judge {
  public:
   /// All live as long as the judge. At most kMostJudged rays are judged, evenly spaced.
-  Judge(const oracle::SceneOracle& oracle, SceneView scene, const RayList& list);
+  Judge(const oracle::SceneOracle& oracle, SceneView scene, const VertexFans& fans, const RayList& list);
   static constexpr u64 kMostJudged = 1'000'000;
 
   u64 judged() const;
@@ -58,6 +60,7 @@ class Judge {
 
   const oracle::SceneOracle& oracle_;
   SceneView scene_;
+  const VertexFans& fans_;
   const RayList& list_;
   u64 stride_;
   std::vector<std::vector<Known>> known_;  // by place

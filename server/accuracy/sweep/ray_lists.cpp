@@ -11,6 +11,8 @@
 namespace raywalk::accuracy {
 namespace {
 
+constexpr u64 kMostPixels = 16;  // for each origin of spawned rays
+
 /// Numbers of one ray (SplitMix64).
 class Random {
  public:
@@ -69,7 +71,7 @@ RayMaker::RayMaker(const LoadedScene& scene, u64 rays, u64 seed, Closest closest
 RayList RayMaker::make(RayKind kind, const std::string& spawn) {
   switch (kind) {
     case RayKind::primary:
-      return {kind, primary(), {}};
+      return {kind, primary(rays_), {}};
     case RayKind::random:
       return {kind, random(), {}};
     case RayKind::edge:
@@ -86,8 +88,8 @@ RayList RayMaker::make(RayKind kind, const std::string& spawn) {
   throw std::invalid_argument("there is no spawn offset '" + spawn + "'");
 }
 
-std::vector<Ray> RayMaker::primary() const {
-  const u32 side = primary_side(rays_);
+std::vector<Ray> RayMaker::primary(u64 wanted) const {
+  const u32 side = primary_side(wanted);
   std::vector<Ray> rays;
   rays.reserve(u64{kPrimaryFrames} * side * side);
   for (u32 frame = 0; frame < kPrimaryFrames; ++frame) {
@@ -100,13 +102,23 @@ std::vector<Ray> RayMaker::primary() const {
   return rays;
 }
 
+std::vector<RayMaker::Origin> RayMaker::hits_of(const std::vector<Ray>& rays) const {
+  const std::vector<Hit> hits = closest_(rays);
+  std::vector<Origin> found;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (hits[i].id != kMiss) found.push_back({hits[i], rays[i].d});
+  }
+  return found;
+}
+
+/// Of more pixels where the scene does not fill the frames; of these as many as are wanted, evenly spaced.
 const std::vector<RayMaker::Origin>& RayMaker::origins() {
   if (!origins_.empty()) return origins_;
-  const std::vector<Ray> rays = primary();
-  const std::vector<Hit> hits = closest_(rays);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (hits[i].id != kMiss) origins_.push_back({hits[i], rays[i].d});
-  }
+  std::vector<Origin> found = hits_of(primary(rays_));
+  if (found.empty()) return origins_;
+  if (found.size() < rays_) found = hits_of(primary(std::min(rays_ * rays_ / found.size(), kMostPixels * rays_)));
+  const u64 count = std::min<u64>(rays_, found.size());
+  for (u64 i = 0; i < count; ++i) origins_.push_back(found[i * found.size() / count]);
   return origins_;
 }
 

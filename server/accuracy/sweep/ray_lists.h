@@ -30,7 +30,7 @@ class RayMaker {
   RayMaker(const LoadedScene& scene, u64 rays, u64 seed, Closest closest);
 
   /// `spawn` is a name of kernels/knobs.h, used for spawned rays alone. Lists are near `rays` long; those of spawned
-  /// rays are as long as there are hits. Empty when the scene has nothing to take them from.
+  /// rays are shorter where few pixels show something. Empty when the scene has nothing to take them from.
   RayList make(RayKind kind, const std::string& spawn);
   /// Rays beside the scene that meet nothing.
   std::vector<Ray> misses() const;
@@ -40,7 +40,8 @@ class RayMaker {
     Hit hit;
     Vec3 d;  // of the ray that hit
   };
-  std::vector<Ray> primary() const;
+  std::vector<Ray> primary(u64 rays) const;
+  std::vector<Origin> hits_of(const std::vector<Ray>& rays) const;
   const std::vector<Origin>& origins();
   template <class Spawn>
   RayList spawned(RayKind kind);

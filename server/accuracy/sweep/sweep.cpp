@@ -66,7 +66,7 @@ void run_sweep(Run& run, AccuracyResult& out) {
   out.scene = run.place.scenes.resident_or_load(run.spec.scene);
   const std::vector<Combination> all = build_all(run, out);
   run.report("preparing the oracle", kBuildPart);
-  const oracle::SceneOracle oracle(SceneView{out.scene->blob->data()});
+  const Reference reference(SceneView{out.scene->blob->data()});
   RayMaker maker(*out.scene, rays_of(run), run.spec.seed,
                  [&](const std::vector<Ray>& rays) { return reference_hits(run.place, out.scene, rays); });
   const double part = kClassesPart / static_cast<double>(run.spec.classes.size());
@@ -77,7 +77,7 @@ void run_sweep(Run& run, AccuracyResult& out) {
       out.notes.push_back(std::string("The time limit came before the ") + name_of(kind) + " rays.");
       continue;
     }
-    run_class(run, kind, all, maker, oracle, out, [&](const std::string& stage, double fraction, bool judging) {
+    run_class(run, kind, all, maker, reference, out, [&](const std::string& stage, double fraction, bool judging) {
       run.report(stage, before + part * fraction, judging);
     });
     before += part;

@@ -76,12 +76,14 @@ def panel(
     parts.append(Text((left - 6, top - 8), "ppm", 11, "end", FAINT))
     parts.append(Text((right, floor + band + 29), "Mrays/s", 11, "end", FAINT))
     parts.append(Line([(left, floor), (right, floor)], FAINT))
-    bound = max((point.bound for point in points if point.ppm == 0), default=None)
-    if bound is not None:
-        parts.append(Text((left + 5, floor + 14), f"none wrong: below {rounded(bound)} ppm (95 %)", 11, colour=FAINT))
     places = {id(one): (across.at(one.mrays), height_of(one, up, techniques, floor)) for one in points}
     front = pareto(points)
     parts.append(Line([places[id(one)] for one in front], FRONT, 1.6, dashed=True))
+    bound = max((point.bound for point in points if point.ppm == 0), default=None)
+    if bound is not None:
+        parts.append(
+            Text((left + 5, floor + 14), f"none wrong: below {rounded(bound)} ppm (95 %)", 11, colour=FAINT, halo=True)
+        )
     for point in sorted(points, key=lambda one: (one.strict, -radius(one))):  # small and strict ones on top
         parts += marker(point, places[id(point)])
     return parts + labels(front, places, left, right)

@@ -49,11 +49,16 @@ class Point:
     @property
     def said(self) -> str:
         """The knobs that are not strict, for people."""
-        return knobs_text(self.knobs) or "strict"
+        return setting_text(self.knobs, self.strict)
 
     @property
     def error_text(self) -> str:
         return error_text(self.ppm, self.bound)
+
+
+def setting_text(knobs: dict[str, float | str], strict: bool) -> str:
+    """A technique without knobs of ours is neither strict nor fast."""
+    return knobs_text(knobs) or ("strict" if strict else "as it is")
 
 
 def knobs_text(knobs: dict[str, float | str]) -> str:

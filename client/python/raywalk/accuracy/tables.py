@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from raywalk.accuracy.points import CLASSES, Point, knobs_text, pareto, point_of, points_of, rounded
+from raywalk.accuracy.points import CLASSES, Point, knobs_text, pareto, point_of, points_of, rounded, setting_text
 from raywalk.models import AccuracyResult, HardCase, SweepRow
 from raywalk.tables.machine import describe
 from raywalk.tables.table import Cell, Column, Table
@@ -39,7 +39,7 @@ def cases_table(result: AccuracyResult) -> Table:
 def by_technique(cases: Sequence[HardCase]) -> dict[tuple[str, str], list[HardCase]]:
     found: dict[tuple[str, str], list[HardCase]] = {}
     for case in cases:
-        key = (f"{case.structure}/{case.traversal}", knobs_text(case.knobs) or "strict")
+        key = (f"{case.structure}/{case.traversal}", setting_text(case.knobs, case.strict))
         found.setdefault(key, []).append(case)
     return found
 
@@ -60,15 +60,16 @@ def sweep_table(result: AccuracyResult, brief: bool = False) -> Table:
         if brief and not first.strict and not any(key in front for front in fronts.values()):
             continue
         place = len(table.rows)
-        cells: list[Cell] = [f"{first.structure}/{first.traversal}", knobs_text(first.knobs) or "strict"]
+        cells: list[Cell] = [f"{first.structure}/{first.traversal}", setting_text(first.knobs, first.strict)]
         cells.append(first.bytes_per_triangle)
         for name in classes:
             row = rows.get(name)
             cells += [None, None] if row is None else [row.mrays_per_s, point_of(row).error_text]
             if row is not None and key in fronts[name]:
                 table.best_cells |= {(place, len(cells) - 2), (place, len(cells) - 1)}
-        worst = [row.error.t_ulps.p999 for row in rows.values() if row.error.t_ulps.hits]
-        cells.append(None if None in worst or not worst else max(float(one or 0) for one in worst))
+        errors = [row.error.t_ulps.well_conditioned for row in rows.values() if row.error.t_ulps.well_conditioned.hits]
+        known = [one.p999 for one in errors if one.p999 is not None]
+        cells.append(max(known) if known and len(known) == len(errors) else None)
         table.rows.append(cells)
     table.notes = notes_of(result)
     return table
@@ -99,6 +100,7 @@ def fronts_of(result: AccuracyResult) -> dict[str, set[Key]]:
 def notes_of(result: AccuracyResult) -> list[str]:
     rows = result.rows
     notes = ["bold: nothing else is faster and less wrong; in brackets the upper end of the 95 % interval"]
+    notes.append("t ulp: error of well-conditioned distances, 99.9 % of them, in the worst class")
     notes.append("wrong: leaks, false misses and hits, wrong ids, double hits, self-hits and NaN, by exact arithmetic")
     compared = [row.error.brute_mismatches for row in rows if row.error.brute_mismatches]
     if compared:
