@@ -64,8 +64,8 @@ class Exam {
   const Option* build_option(std::string_view name) const;
   /// How many rays stand for the `full` number; at least `least`.
   u32 count(u64 full, u64 least = 32) const;
-  /// The same for rays that are not shared between techniques: of one that is not strict a quarter is enough.
-  u32 own_count(u64 full) const { return count(strict_ ? full : full / 4); }
+  /// The same for rays that are not shared between techniques: of one that is not strict a twentieth is enough.
+  u32 own_count(u64 full) const { return count(strict_ ? full : full / 20); }
   /// Of one stream of random numbers, the same for every technique.
   u32 seed(u32 stream) const { return static_cast<u32>(seed_ * 0x9e3779b1u + 8191u * number_ + stream); }
   Random random(u32 stream) const { return Random(seed(stream)); }
