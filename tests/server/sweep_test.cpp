@@ -129,8 +129,9 @@ TEST_F(SweepRays, AreJudged) {
     for (std::size_t i = 0; i < list.rays.size(); ++i) answers.hits[i] = miss_of(list.rays[i]);
     const SweepErrors blind = judge.errors_of(answers, ignore);
     EXPECT_GT(blind.wrong, 0u);
-    // Away from edges every missing hit is wrong.
-    if (kind == RayKind::random) EXPECT_EQ(blind.figures.count(oracle::Verdict::false_miss), hits);
+    if (kind == RayKind::random) {  // away from edges every missing hit is wrong
+      EXPECT_EQ(blind.figures.count(oracle::Verdict::false_miss), hits);
+    }
     EXPECT_THROW(judge.errors_of(answers, [](double) { throw std::runtime_error("stop"); }), std::runtime_error);
   }
 }
