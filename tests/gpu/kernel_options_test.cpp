@@ -16,10 +16,12 @@ std::vector<std::string> names_of(const TraversalType& type) {
 
 TEST(KernelOptions, EachTraversalHasThoseThatMeanSomethingToIt) {
   using Names = std::vector<std::string>;
-  EXPECT_EQ(names_of(traversal_type("bvh", "while-while")), (Names{"registers", "block", "intersector"}));
-  EXPECT_EQ(names_of(traversal_type("bvh", "packet")), (Names{"registers", "block", "intersector"}));
+  EXPECT_EQ(names_of(traversal_type("bvh", "while-while")),
+            (Names{"registers", "block", "intersector", "slab", "spawn"}));
+  EXPECT_EQ(names_of(traversal_type("bvh", "packet")), (Names{"registers", "block", "intersector", "slab", "spawn"}));
+  EXPECT_EQ(names_of(traversal_type("grid", "dda")), (Names{"registers", "block", "intersector", "spawn"}));
   EXPECT_EQ(names_of(traversal_type("kdtree", "short-stack-2")),
-            (Names{"registers", "block", "stack_entries", "intersector"}));
+            (Names{"registers", "block", "intersector", "stack_entries", "spawn"}));
   EXPECT_THROW(traversal_type("bvh", "dda"), std::invalid_argument);
 }
 
