@@ -15,7 +15,8 @@ RW_FN Vec3 normal_towards(const Surface& s, Vec3 d) {
 }  // namespace detail
 
 /// Along the normal past the error of the position (Pharr et al., PBR 3.9.5) and that of the triangle test, and then
-/// outward by the last bit: the watertight test never meets the surface again.
+/// outward by the last bit: the watertight test never meets the surface again. Both are taken more than twice, so that
+/// the ray begins outside the padding of its leaf's box (kernels/accel/slab.h) where the surface is flat.
 struct ErrorBoundOffset {
   RW_FN static Vec3 origin(const Surface& s, Vec3 d) {
     const Vec3 n = detail::normal_towards(s, d);

@@ -202,3 +202,16 @@ def test_jpeg_of_many_strips_is_the_image(daemon: Daemon, soup: str, width: int,
     for row in range(0, height, 16):
         luma = [rows[row : row + 16] @ (0.299, 0.587, 0.114) for rows in (lossy, exact)]
         assert np.sqrt(np.mean((luma[0] - luma[1]) ** 2)) < 8, row
+
+
+def test_an_intersector_needs_its_records(daemon: Daemon, soup: str) -> None:
+    kernel = {"intersector": "baldwin-weber"}
+    answer = daemon.frame(soup, "bvh", "while-while", "image/png", kernel=kernel)
+    problem = check_problem(answer, 422, "unfit_structure")
+    assert [error["pointer"] for error in problem["errors"]] == ["/kernel/intersector"]
+    assert "transforms" in problem["detail"]
+    built = daemon.build(soup, "bvh", {"triangles": "transforms"})
+    expected = raw(daemon, "bvh", "while-while", 1, output="id")
+    values = raw(daemon, built["id"], "while-while", 1, output="id", kernel=kernel)
+    assert (values != expected).mean() < 0.01
+    check_problem(daemon.frame(soup, built["id"], "while-while", "image/png"), 422, "unfit_structure")

@@ -142,7 +142,7 @@ ShadedScene map() {
 
 /// Units off a sheet's surface from which a ray goes on (see kernels/shade/spawn.h), rounding of the position included.
 constexpr float off_surface(float half) {
-  return 1.5e-6f * 2 * half;
+  return 3.5e-6f * 2 * half;
 }
 
 TEST(Window, OfNoColourShowsWhatIsBehindUnchanged) {
