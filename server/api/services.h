@@ -8,12 +8,12 @@
 
 #include "server/api/frame_pool.h"
 #include "server/api/metrics.h"
-#include "server/jobs/job_queue.h"
 #include "server/catalog/scenes.h"
 #include "server/catalog/structures.h"
 #include "server/device/device_queue.h"
 #include "server/http/contract.h"
 #include "server/http/server.h"
+#include "server/jobs/job_queue.h"
 #include "server/store/store.h"
 
 namespace raywalk::api {

@@ -41,13 +41,26 @@ def test_kinds_name_the_required_techniques(daemon: Daemon) -> None:
     names = {f"{kind['name']}/{t['name']}" for kind in kinds for t in kind["traversals"]}
     required = {"grid/dda", "kdtree/short-stack-3", "kdtree/short-stack-2", "bvh/packet", "bvh/while-while"}
     assert required | {"embree/intersect"} <= names
-    for kind in kinds:
-        assert all(traversal["options"] == [] for traversal in kind["traversals"])  # the CPU has no choice
-        for option in kind["options"]:
-            if "choices" in option:
-                assert option["default"] in option["choices"]
-            else:
-                assert option["minimum"] <= option["default"] <= option["maximum"]
+    options = [option for kind in kinds for holder in (kind, *kind["traversals"]) for option in holder["options"]]
+    for option in options:
+        assert option["help"]
+        if "choices" in option:
+            assert option["default"] in option["choices"]
+        else:
+            assert option["minimum"] <= option["default"] <= option["maximum"]
+
+
+def test_kinds_list_the_knobs_with_their_meaning(daemon: Daemon) -> None:
+    kinds = daemon.json("GET", "/v1/kinds", 200)["kinds"]
+    knobs = {f"{kind['name']}/{t['name']}": t["options"] for kind in kinds for t in kind["traversals"]}
+    names = {technique: [option["name"] for option in options] for technique, options in knobs.items()}
+    assert names["bvh/while-while"] == names["bvh/packet"] == ["intersector", "slab", "spawn"]
+    assert names["grid/dda"] == ["intersector", "spawn"]
+    assert names["kdtree/short-stack-2"] == ["intersector", "stack_entries", "spawn"]
+    assert names["embree/intersect"] == []  # an engine of its own
+    for option in knobs["bvh/while-while"]:
+        assert option["default"] == option["choices"][0]  # the strict one
+        assert all(f"{choice}: " in option["help"] for choice in option["choices"])
 
 
 def test_contract_is_served(daemon: Daemon) -> None:
