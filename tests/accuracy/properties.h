@@ -1,0 +1,51 @@
+// What must stay the same when the same question is put in another way, asked of one technique.
+#pragma once
+#include <string_view>
+
+#include "server/accuracy/cases/trial.h"
+
+namespace raywalk::accuracy {
+
+struct Property {
+  const char* name;
+  void (*holds)(Exam& exam);
+};
+
+/// A mesh, whose ids are its places, and rays at it: at random, at edges and at vertices.
+struct Shape {
+  std::string name;
+  Mesh mesh;
+  std::vector<Ray> rays;
+  bool sealed;  // a closed mesh seen from inside: each ray meets exactly one triangle
+};
+const std::vector<Shape>& shapes();
+
+/// The shape's scene, made at its first use.
+const SceneBlob& scene_of(Exam& exam, const Shape& shape);
+
+/// By its name on the wire; empty for Embree, which has its own.
+std::string_view intersector_of(const Technique& technique);
+
+/// Whether a hit lies in its box, so that every traversal finds what brute force finds. Boxes and cells are padded for
+/// the errors of the watertight test; those of the exact one and of the double one are smaller. Moeller-Trumbore's and
+/// Baldwin-Weber's have no bound where a ray grazes a triangle, and of Embree's we know none.
+bool hits_stay_in_boxes(const Exam& exam);
+
+/// True, after the exam has been told, for a technique of which only brute force could keep a property.
+bool may_lose_hits(Exam& exam);
+
+// properties_lists.cpp
+void repeated_runs(Exam& exam);
+void alone_or_in_a_list(Exam& exam);
+void as_by_brute_force(Exam& exam);
+void occluded_when_hit(Exam& exam);
+void split_interval(Exam& exam);
+// properties_moved.cpp
+void mirrored(Exam& exam);
+void permuted_axes(Exam& exam);
+void turned_windings(Exam& exam);
+void shuffled_triangles(Exam& exam);
+void translated(Exam& exam);
+void far_geometry(Exam& exam);
+
+}  // namespace raywalk::accuracy
