@@ -4,22 +4,11 @@
 #include <functional>
 
 #include "server/accuracy/cases/hex.h"
-#include "server/accuracy/oracle/exact.h"
 #include "tests/accuracy/properties.h"
+#include "tests/accuracy/properties_agree.h"
 
 namespace raywalk::accuracy {
 namespace {
-
-/// An answer with its question. The ids of the mesh are those of the shape, `hit.id` is a place in the mesh.
-struct Answered {
-  const Ray& ray;
-  const Mesh& mesh;
-  Hit hit;
-
-  bool is_hit() const { return hit.id != kMiss; }
-  const Corners& triangle() const { return mesh[hit.id]; }
-  u32 id() const { return is_hit() ? triangle().id : kMiss; }
-};
 
 /// A scene and its rays put otherwise, and whether an answer after that goes with the one before.
 struct Move {
@@ -80,65 +69,6 @@ void holds_after(Exam& exam, const Shape& shape, const Move& move) {
   }
 }
 
-// ---- What agrees ----
-
-/// But for the signs of zeros.
-bool same_numbers(const Hit& a, const Hit& b) {
-  return a.t == b.t && a.u == b.u && a.v == b.v;
-}
-
-u32 main_axis(Vec3 d) {
-  const Vec3 m = magnitude(d);
-  return m.x > m.y ? (m.x > m.z ? 0u : 2u) : (m.y > m.z ? 1u : 2u);
-}
-
-/// Twice what rounding may move a hit's t by: the watertight test's errs by 9 u (the largest component of a vertex seen
-/// from the origin, in lengths of d), see kernels/accel/padded_frame.h; the exact test's is rounded once.
-double allowance(std::string_view intersector, const Answered& answer) {
-  const Corners& t = answer.triangle();
-  const float reach = std::max({largest(magnitude(t.a - answer.ray.o)), largest(magnitude(t.b - answer.ray.o)),
-                                largest(magnitude(t.c - answer.ray.o))});
-  const double lengths = double{reach} / double{largest(magnitude(answer.ray.d))};
-  return intersector == "exact" ? oracle::ulp_at(answer.hit.t) + 0x1p-29 * lengths : 18 * 0x1p-24 * lengths;
-}
-
-bool close_by(std::string_view intersector, const Answered& before, const Answered& after) {
-  const double allowed = std::max(allowance(intersector, before), allowance(intersector, after));
-  return std::abs(double{before.hit.t} - double{after.hit.t}) <= allowed;
-}
-
-bool same_up_to_rounding(std::string_view intersector, const Answered& before, const Answered& after) {
-  constexpr float kWeights = 0x1p-20f;
-  if (before.id() != after.id()) return false;
-  if (!before.is_hit()) return true;
-  return close_by(intersector, before, after) && std::abs(before.hit.u - after.hit.u) <= kWeights &&
-         std::abs(before.hit.v - after.hit.v) <= kWeights;
-}
-
-/// Whether the hit lies on an edge or a vertex of its triangle, in the arithmetic of a strict test.
-bool on_border(std::string_view intersector, const Answered& answer) {
-  const Corners& t = answer.triangle();
-  if (intersector == "exact") return oracle::classify(answer.ray, t).position != oracle::Position::inside;
-  float at, u, v;  // v weighs a
-  return answer.hit.u == 0.0f || answer.hit.v == 0.0f ||
-         (intersect(Watertight(answer.ray), triangle(t.b, t.c, t.a), at, u, v) && v == 0.0f);
-}
-
-bool touch(const Corners& a, const Corners& b) {
-  return std::ranges::any_of(std::initializer_list<Vec3>{a.a, a.b, a.c},
-                             [&](Vec3 p) { return p == b.a || p == b.b || p == b.c; });
-}
-
-/// Of strict tests: where the nearer of both hits lies on an edge or vertex, that may have another owner now. A sealed
-/// surface is then met in a triangle beside it, at the same place.
-bool new_owner(std::string_view intersector, const Answered& before, const Answered& after, bool sealed) {
-  if (!before.is_hit() && !after.is_hit()) return false;
-  const bool after_first = !before.is_hit() || (after.is_hit() && after.hit.t < before.hit.t);
-  if (!on_border(intersector, after_first ? after : before)) return false;
-  if (!sealed) return true;
-  return close_by(intersector, before, after) && touch(before.mesh[before.hit.id], before.mesh[after.id()]);
-}
-
 bool is_strict_test(std::string_view intersector) {
   return intersector == "watertight" || intersector == "exact";
 }
@@ -162,11 +92,11 @@ void mirrored(Exam& exam) {
   const std::pair<const char*, Vec3> mirrors[] = {
       {"x", {-1, 1, 1}}, {"y", {1, -1, 1}}, {"z", {1, 1, -1}}, {"xyz", {-1, -1, -1}}};
   for (const Shape& shape : shapes()) {
-    for (const auto& [name, sign_] : mirrors) {
-      const Vec3 sign = sign_;
+    for (const auto& mirror : mirrors) {
+      const Vec3 sign = mirror.second;
       const auto map = [sign](Vec3 p) { return p * sign; };
       holds_after(exam, shape,
-                  {std::string("mirrored ") + name, each_vertex(map), both_vectors(map),
+                  {std::string("mirrored ") + mirror.first, each_vertex(map), both_vectors(map),
                    [=](const Answered& before, const Answered& after, bool sealed) {
                      const bool rounds = test == "watertight" && sign[main_axis(before.ray.d)] < 0.0f;
                      if (rounds ? same_up_to_rounding(test, before, after)
