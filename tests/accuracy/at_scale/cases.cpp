@@ -9,9 +9,9 @@ namespace {
 
 using accuracy::CaseOutcome;
 
-// Of one technique at SuiteSpec::rays = 1. Some rays are left out: of meshes that rounding has folded, and from places
-// that the primary ray misses. The spare is for those.
-constexpr double kAimedRays = 1e6, kSpawnedRays = 1e7, kSpare = 1.05;
+constexpr double kAimedRays = 1e6, kSpawnedRays = 1e7;  // of one technique at SuiteSpec::rays = 1
+// Some are left out: of the few meshes that rounding has folded, and at places that the primary ray misses.
+constexpr double kAimedSpare = 1.08, kSpawnedSpare = 1.01;
 
 Row row_of(const std::string& part, const accuracy::Technique& technique) {
   return {.part = part, .technique = name_of(technique)};
@@ -48,16 +48,16 @@ void ask_cases(Run& run, const std::string& part, const std::vector<u32>& number
 }  // namespace
 
 void ask_edges(Run& run) {
-  ask_cases(run, "edges", {1}, kSpare * 1e8 / kAimedRays);
+  ask_cases(run, "edges", {1}, kAimedSpare * 1e8 / kAimedRays);
 }
 
 void ask_vertices(Run& run) {
-  ask_cases(run, "vertices", {2}, kSpare * 1e8 / kAimedRays);
+  ask_cases(run, "vertices", {2}, kAimedSpare * 1e8 / kAimedRays);
 }
 
 void ask_spawned(Run& run) {
   const double techniques = static_cast<double>(run.techniques.size());
-  ask_cases(run, "spawned", {35, 36, 38}, kSpare * 1e9 / kSpawnedRays / techniques);
+  ask_cases(run, "spawned", {35, 36, 38}, kSpawnedSpare * 1e9 / kSpawnedRays / techniques);
 }
 
 }  // namespace raywalk::at_scale

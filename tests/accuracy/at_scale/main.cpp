@@ -2,6 +2,7 @@
 // when a strict technique failed, 2 when something could not be asked.
 //   raywalk_at_scale [--device cpu|cuda] [--share X] [--threads N] [--only edges,brute,...]
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "server/system/build_info.h"
@@ -45,7 +46,8 @@ void print_place(const Device& device, const std::vector<std::string>& arguments
 
 int run(int count, char** arguments) {
   Settings settings;
-  settings.threads = std::max(1u, std::thread::hardware_concurrency());
+  // The device's thread and its builds need processors too.
+  settings.threads = std::max(1u, std::thread::hardware_concurrency() / 2);
   settings.scenes_dir = build_info::kScenesDir;
   std::string kind = "cuda";
   std::vector<std::string> names;
@@ -56,7 +58,7 @@ int run(int count, char** arguments) {
   app.add_option("--share", settings.share, "Of the full numbers.")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 1e3));
-  app.add_option("--threads", settings.threads, "That make rays and judge; with the seed they decide the rays.")
+  app.add_option("--threads", settings.threads, "That make rays and judge; their number and the seed decide the rays.")
       ->capture_default_str()
       ->check(CLI::Range(1, 4096));
   app.add_option("--seed", settings.seed, "Of all random numbers.")
@@ -74,13 +76,15 @@ int run(int count, char** arguments) {
   if (settings.data_dir.empty()) settings.data_dir = environment("RAYWALK_SCENE_DATA");
   if (settings.data_dir.empty()) settings.data_dir = settings.scenes_dir / "data";
 
+  const auto is_asked = [&](const char* part) { return std::ranges::find(only, part) != only.end(); };
+  if (is_asked("visits")) check_scenes(settings);  // now, not after minutes
   const std::unique_ptr<Device> device = open(kind);
   DeviceQueue queue(*device, {.capacity = settings.threads + std::size_t{1}});
   Table table;
   Run run{settings, queue, strict_techniques(*device), table};
   table.print_head();
   for (const Part& part : kParts) {
-    if (std::ranges::find(only, part.name) == only.end()) continue;
+    if (!is_asked(part.name)) continue;
     const Stopwatch watch;
     part.ask(run);
     std::printf("%-9s %-36s %14s %12s %8.1f\n", part.name, "all", "", "", watch.ms() * 1e-3);

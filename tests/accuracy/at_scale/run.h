@@ -40,6 +40,8 @@ void ask_brute(Run& run);
 void ask_slabs(Run& run);
 // visits.cpp: padded boxes cost at most 1 % more visits of nodes than plain ones.
 void ask_visits(Run& run);
+/// Throws Refusal for a scene that the catalogue lacks.
+void check_scenes(const Settings& settings);
 
 /// Such as "bvh/while-while exact".
 std::string name_of(const accuracy::Technique& technique);

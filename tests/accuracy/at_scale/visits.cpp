@@ -69,10 +69,19 @@ void ask_scene(Run& run, const ScenePtr& scene) {
   }
 }
 
+Scenes catalogue(const Settings& settings) {
+  return {settings.scenes_dir, settings.data_dir, [](const std::string&, const ScenePtr&) {}};
+}
+
 }  // namespace
 
+void check_scenes(const Settings& settings) {
+  const Scenes scenes = catalogue(settings);
+  for (const std::string& name : settings.scenes) scenes.find(name);
+}
+
 void ask_visits(Run& run) {
-  Scenes scenes(run.settings.scenes_dir, run.settings.data_dir, [](const std::string&, const ScenePtr&) {});
+  Scenes scenes = catalogue(run.settings);
   for (const std::string& name : run.settings.scenes) {
     ask_scene(run, scenes.resident_or_load(name));
     scenes.evict(name);
