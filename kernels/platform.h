@@ -108,4 +108,15 @@ RW_FN bool is_finite(float a) {
   return (bits_of(a) & 0x7f800000u) != 0x7f800000u;
 }
 
+/// The first, second or third of three numbers in a row. A GPU selects among registers; a CPU reads by address, since
+/// it would predict the branches of a selection wrongly.
+template <class T>
+RW_FN T one_of_three(const T* first, u32 place) {
+#if RW_GPU
+  return place == 0 ? first[0] : place == 1 ? first[1] : first[2];
+#else
+  return first[place];
+#endif
+}
+
 }  // namespace raywalk
