@@ -7,6 +7,11 @@ import { fill } from "./ui/dom.ts";
 
 const PAGES: Record<string, { title: string; open(): Promise<OpenPage> }> = {
   preview: { title: "Preview", open: async () => (await import("./pages/preview.ts")).openPreview },
+  compare: { title: "Compare", open: async () => (await import("./pages/compare.ts")).openCompare },
+  walkthrough: {
+    title: "Walkthrough",
+    open: async () => (await import("./pages/walkthrough.ts")).openWalkthrough,
+  },
 };
 
 const main = document.getElementById("main") as HTMLElement;
