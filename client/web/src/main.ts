@@ -12,6 +12,8 @@ const PAGES: Record<string, { title: string; open(): Promise<OpenPage> }> = {
     title: "Walkthrough",
     open: async () => (await import("./pages/walkthrough.ts")).openWalkthrough,
   },
+  benchmarks: { title: "Benchmarks", open: async () => (await import("./pages/benchmarks.ts")).openBenchmarks },
+  machine: { title: "Machine", open: async () => (await import("./pages/machine.ts")).openMachine },
 };
 
 const main = document.getElementById("main") as HTMLElement;

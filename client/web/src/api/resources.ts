@@ -32,3 +32,5 @@ export const cancelJob = (id: string) => json<Job>("POST", `/v1/jobs/${part(id)}
 export const getResult = (id: string) => json<BenchmarkResult | AccuracyResult>("GET", `/v1/results/${part(id)}`);
 export const downloadResult = async (id: string, accept: string) =>
   (await call("GET", `/v1/results/${part(id)}`, { accept })).blob();
+/** `path` is that of a scene or structure below /v1. */
+export const pin = (path: string, isPinned: boolean) => call(isPinned ? "PUT" : "DELETE", `/v1/${path}/pin`);

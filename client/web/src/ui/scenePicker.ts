@@ -3,6 +3,8 @@ import type { Scene } from "../api/types.ts";
 import { fill, h } from "./dom.ts";
 import { count } from "./format.ts";
 
+/** Of the catalogue's scenes, by file. */
+const CATALOGUE = import.meta.glob<string>("../thumbnails/*.webp", { eager: true, query: "?url", import: "default" });
 const pictures = new Map<string, string>(); // of scenes that were shown here, by name and hash
 
 /** Keeps a small picture of what a canvas shows, for a scene without one of its own. */
@@ -16,10 +18,9 @@ export function keepPicture(scene: Scene, canvas: HTMLCanvasElement): void {
 }
 
 function picture(scene: Scene): HTMLElement {
-  const source = pictures.get(`${scene.name} ${scene.hash}`) ?? `/thumbnails/${scene.name}.webp`;
-  const image = h("img", { src: source, alt: "", width: 64, height: 48, loading: "lazy", decoding: "async" });
-  image.addEventListener("error", () => image.replaceWith(h("span", { class: "no-picture" }, scene.name.slice(0, 1))));
-  return image;
+  const source = pictures.get(`${scene.name} ${scene.hash}`) ?? CATALOGUE[`../thumbnails/${scene.name}.webp`];
+  if (source === undefined) return h("span", { class: "no-picture", "aria-hidden": "true" }, scene.name.slice(0, 1));
+  return h("img", { src: source, alt: "", width: 56, height: 42, loading: "lazy", decoding: "async" });
 }
 
 export interface ScenePicker {
