@@ -33,13 +33,13 @@ def test_a_changed_knob_is_seen(compared: Visit) -> None:
     b.get_by_label("spawn").select_option("none")  # shadow rays meet the triangles that they leave
     figures = compared.page.get_by_label("Figures")
     expect(figures).to_have_attribute("data-changed", re.compile(r"[1-9]\d*"), timeout=LIMIT_MS)
-    compared.page.get_by_text("Difference", exact=True).first.click()
+    compared.page.get_by_role("radio", name="Difference").check()
     expect(compared.page.locator(".legend")).to_contain_text("levels of 255")
 
 
 def test_heat_maps_and_the_figures_of_a_pixel(compared: Visit) -> None:
     for sight in ("Steps", "Tests"):
-        compared.page.get_by_text(sight, exact=True).click()
+        compared.page.get_by_role("radio", name=sight).check()
         expect(compared.page.locator(".legend")).to_contain_text(f"{sight.lower()} and more")
         expect(compared.page.locator("canvas.overlay").nth(1)).to_be_visible()
     compared.canvas.hover()
@@ -54,7 +54,7 @@ def test_heat_maps_and_the_figures_of_a_pixel(compared: Visit) -> None:
 
 
 def test_wiper(compared: Visit) -> None:
-    compared.page.get_by_text("Wiper", exact=True).click()
+    compared.page.get_by_role("radio", name="Wiper").check()
     wiper = compared.page.get_by_role("slider", name="Wiper")
     wiper.focus()
     compared.page.keyboard.press("Home")

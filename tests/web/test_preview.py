@@ -19,9 +19,10 @@ def test_drag_changes_the_image_with_one_request_at_a_time(visit: Visit) -> None
 
 def test_the_address_holds_the_view(visit: Visit) -> None:
     visit.preview()
+    frames = visit.frames()
     visit.drag(120, 60)
-    visit.await_frames(visit.frames() - 1)
-    visit.page.wait_for_function("location.hash.includes('eye=')")
+    visit.await_frames(frames)
+    visit.page.wait_for_function("() => location.hash.includes('eye=')")
     visit.page.wait_for_timeout(400)
     image, address = visit.image(), visit.page.url
     query = parse_qs(address.split("?", 1)[1])
@@ -55,7 +56,7 @@ def test_wheel_and_fly(visit: Visit) -> None:
     visit.await_frames(frames)
     near = visit.image()
     assert near != first
-    visit.page.get_by_text("Fly", exact=True).click()
+    visit.page.get_by_role("radio", name="Fly").check()
     frames = visit.frames()
     visit.drag(60, 0)
     visit.await_frames(frames)

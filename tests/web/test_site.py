@@ -52,7 +52,7 @@ def test_head_has_no_body(daemon: Daemon) -> None:
 
 def test_other_methods_and_paths_are_problems(daemon: Daemon) -> None:
     daemon.problem("GET", "/assets/nothing.js", 404, "not_found")
-    daemon.problem("GET", "/../index.html", 404, "not_found")
+    daemon.problem("GET", "/assets/", 404, "not_found")
     daemon.problem("POST", "/", 404, "not_found")
 
 

@@ -15,7 +15,7 @@ def test_plays_to_the_end_with_times_of_every_technique(visit: Visit) -> None:
     expect(canvas).to_have_attribute("data-frame", "7")
     expect(visit.page.get_by_role("button", name="Play")).to_be_visible()
     assert visit.image() != first
-    rows = visit.page.get_by_label("Times").locator("tbody tr")
+    rows = visit.page.get_by_label("Table of times").locator("tbody tr")
     for name in techniques.split(","):
         cells = rows.filter(has=visit.page.get_by_role("rowheader", name=name)).locator("td")
         expect(cells.nth(0)).to_have_text("8")
@@ -40,7 +40,7 @@ def test_scrubs(visit: Visit) -> None:
 def test_pauses(visit: Visit) -> None:
     visit.open("walkthrough", scene=SCENE, frames=500, size=128, techniques="bvh/while-while")
     visit.page.get_by_role("button", name="Play").click()
-    visit.page.wait_for_function("Number(document.querySelector('canvas.view').dataset.frame) > 3")
+    visit.page.wait_for_function("() => Number(document.querySelector('canvas.view').dataset.frame) > 3")
     visit.page.get_by_role("button", name="Pause").click()
     visit.page.wait_for_timeout(300)
     frame = visit.canvas.get_attribute("data-frame")

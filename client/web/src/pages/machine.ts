@@ -101,7 +101,7 @@ class Machine implements Page {
     const now = JSON.stringify([scenes, structures]);
     if (now === this.shown) return; // keeps the focus where it is
     this.shown = now;
-    const head = ["Name", "Size", "Contents", "Time", ""].map((name) => h("th", { scope: "col" }, name));
+    const head = ["Name", "Size", "Contents", "Time", "Actions"].map((name) => h("th", { scope: "col" }, name));
     const rows = scenes.flatMap((scene) => [
       this.sceneRow(scene),
       ...structures.filter((structure) => structure.scene === scene.name).map((structure) => this.structureRow(structure)),

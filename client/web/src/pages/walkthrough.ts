@@ -94,7 +94,7 @@ class Walkthrough implements Page {
       "section",
       { class: "card wide", "aria-label": "Times" },
       this.plot.element,
-      h("div", { class: "scroll" }, h("table", {}, h("thead", {}, h("tr", {}, ...head)), this.rows)),
+      h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "Table of times" }, h("table", {}, h("thead", {}, h("tr", {}, ...head)), this.rows)),
     );
   }
 

@@ -29,7 +29,8 @@ export function poseOf(camera: CameraPose): Pose {
 }
 
 export function cameraOf(pose: Pose): CameraPose {
-  return { eye: [...pose.eye], target: [...pose.target], up: [...pose.up], vertical_fov_deg: pose.fovDeg };
+  const float = (vector: Vec3) => vector.map(Math.fround); // as the daemon renders, and an address keeps it
+  return { eye: float(pose.eye), target: float(pose.target), up: float(pose.up), vertical_fov_deg: pose.fovDeg };
 }
 
 /** Whether the daemon can render it, and it is not lost far outside the scene. */

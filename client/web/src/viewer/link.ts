@@ -2,7 +2,10 @@
 import type { Pose } from "./camera.ts";
 import type { Vec3 } from "./vec.ts";
 
-const text = (vector: Vec3): string => vector.map((value) => Number(value.toPrecision(7))).join(",");
+/** Nine digits name a 32-bit float, which is what the daemon renders with. */
+export function vectorText(vector: Vec3): string {
+  return vector.map((value) => Number(Math.fround(value).toPrecision(9))).join(",");
+}
 
 function vector(given: string | null): Vec3 | null {
   const parts = (given ?? "").split(",").map((part) => (part.trim() === "" ? Number.NaN : Number(part)));
@@ -12,7 +15,7 @@ function vector(given: string | null): Vec3 | null {
 
 /** Parameters of an address. */
 export function poseToParameters(pose: Pose): Record<string, string> {
-  return { eye: text(pose.eye), target: text(pose.target), up: text(pose.up), fov: String(pose.fovDeg) };
+  return { eye: vectorText(pose.eye), target: vectorText(pose.target), up: vectorText(pose.up), fov: String(pose.fovDeg) };
 }
 
 /** None when the address names no camera; "bad" when what it names is not one. */
