@@ -1,18 +1,10 @@
-# The web client, built by Vite and written into a C++ source: sets web_source. Node is the system's if it is new
-# enough, else the one of docker/install-web, which also installs the packages.
-foreach(candidate node ${CMAKE_SOURCE_DIR}/third_party/node/bin/node)
-  execute_process(COMMAND ${candidate} -e
-    "const [a, b] = process.versions.node.split('.').map(Number); process.exit((a === 20 && b >= 19) || (a === 22 && b >= 12) || a > 22 ? 0 : 1)"
-    RESULT_VARIABLE too_old OUTPUT_QUIET ERROR_QUIET)
-  if(too_old EQUAL 0)
-    set(web_node ${candidate})
-    break()
-  endif()
-endforeach()
+# The web client, built by Vite and written into a C++ source: sets web_source. docker/install-web has installed its
+# packages and says which Node builds it.
 set(web_dir ${CMAKE_SOURCE_DIR}/client/web)
-if(NOT web_node OR NOT EXISTS ${web_dir}/node_modules/raywalk-stamp)
-  message(FATAL_ERROR "Node 20.19 or newer, or a package of client/web, is missing: run docker/install-web, or ./run setup.")
+if(NOT EXISTS ${web_dir}/node_modules/raywalk-node)
+  message(FATAL_ERROR "The packages of client/web are missing: run docker/install-web, or ./run setup.")
 endif()
+file(STRINGS ${web_dir}/node_modules/raywalk-node web_node LIMIT_COUNT 1)
 
 set(web_site ${CMAKE_CURRENT_BINARY_DIR}/web)
 set(web_source ${CMAKE_CURRENT_BINARY_DIR}/embedded_site.cpp)

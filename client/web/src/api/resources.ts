@@ -17,8 +17,7 @@ export const evictScene = (name: string) => call("DELETE", `/v1/scenes/${part(na
 export const listCameras = async (scene: string, frames: number) =>
   (await json<{ cameras: CameraPose[] }>("GET", `/v1/scenes/${part(scene)}/cameras?frames=${frames}`)).cameras;
 
-export const listStructures = async () =>
-  (await json<{ structures: Structure[] }>("GET", "/v1/structures")).structures;
+export const listStructures = async () => (await json<{ structures: Structure[] }>("GET", "/v1/structures")).structures;
 export const getStructure = (id: string, signal?: AbortSignal) =>
   json<Structure>("GET", `/v1/structures/${part(id)}`, { signal });
 export const buildStructure = (scene: string, kind: string, options: Options, signal?: AbortSignal) =>

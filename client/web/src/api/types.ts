@@ -1,5 +1,5 @@
 // Short names for the wire's types.
-import type { components } from "../../generated/schema";
+import type { components } from "../../generated/schema.d.ts";
 
 type Schemas = components["schemas"];
 

@@ -53,15 +53,29 @@ export function columnsOf(result: BenchmarkResult): Column[] {
     },
     number("p95 ms", "95th percentile", (row) => row.frame_ms.p95),
     number("Mrays/s", "All rays of the mode", (row) => row.mrays_per_s),
-    number("Paper ms", "The study's mean time: GeForce GTX 280, 1024 × 1024, 400 frames", (row) => paperTime(result, row)),
+    number("Paper ms", "The study's mean time: GeForce GTX 280, 1024 × 1024, 400 frames", (row) =>
+      paperTime(result, row),
+    ),
     number("Steps/ray", "Nodes or cells", (row) => row.steps_per_ray),
     number("Tests/ray", "Triangle tests", (row) => row.tests_per_ray),
-    number("Id errors ppm", "Primary rays that hit another triangle than the reference", (row) => row.error.id_mismatch_ppm),
-    number("≤ ppm", "Upper end of their 95 % interval", (row) => row.error.id_mismatch_ppm_upper95),
-    number("PSNR dB", "Of the image; ∞ when it is the same", (row) => row.error.image_psnr_db ?? Number.POSITIVE_INFINITY, (db) =>
-      Number.isFinite(db) ? figure(db) : "∞",
+    number(
+      "Id errors ppm",
+      "Primary rays that hit another triangle than the reference",
+      (row) => row.error.id_mismatch_ppm,
     ),
-    number("FLIP", "Mean perceived difference, 0 to 1", (row) => row.error.image_flip_mean, (flip) => flip.toFixed(4)),
+    number("≤ ppm", "Upper end of their 95 % interval", (row) => row.error.id_mismatch_ppm_upper95),
+    number(
+      "PSNR dB",
+      "Of the image; ∞ when it is the same",
+      (row) => row.error.image_psnr_db ?? Number.POSITIVE_INFINITY,
+      (db) => (Number.isFinite(db) ? figure(db) : "∞"),
+    ),
+    number(
+      "FLIP",
+      "Mean perceived difference, 0 to 1",
+      (row) => row.error.image_flip_mean,
+      (flip) => flip.toFixed(4),
+    ),
     word("Gate", "closed: the error is within the limit of its tier", (row) => row.gate?.status ?? "–"),
     number("Wrong rays", "By exact arithmetic", (row) => row.gate?.wrong, count),
   ];

@@ -23,16 +23,28 @@ export function benchForm(scenes: Scene[], kinds: Kind[], submit: (spec: Benchma
     () => {},
   );
   scene.set(offered.some(({ name }) => name === "bunny") ? "bunny" : (offered[0]?.name ?? ""));
-  const size = selectField("Size", SIZES.map((value) => ({ value, label: `${value} × ${value}` })), () => {});
+  const size = selectField(
+    "Size",
+    SIZES.map((value) => ({ value, label: `${value} × ${value}` })),
+    () => {},
+  );
   size.set("256");
-  const tier = selectField("Accuracy", TIERS.map((value) => ({ value, label: value })), () => {});
+  const tier = selectField(
+    "Accuracy",
+    TIERS.map((value) => ({ value, label: value })),
+    () => {},
+  );
   const frames = numberField("Frames", 20, { min: 1, max: 100000 }, () => {});
   const repeats = numberField("Repeats", 1, { min: 1, max: 1000 }, () => {});
   const depth = numberField("Depth", 2, { min: 0, max: 16 }, () => {});
   const limit = numberField("Time limit, s", 300, { min: 1, max: 3600 }, () => {});
   const modes = MODES.map((mode) => checkField(mode, mode === "primary" || mode === "shadow", () => check()));
   const all = techniquesOf(kinds);
-  const techniques = techniqueList(all, all.map((one) => `${one.structure}/${one.traversal}`), () => check());
+  const techniques = techniqueList(
+    all,
+    all.map((one) => `${one.structure}/${one.traversal}`),
+    () => check(),
+  );
   const button = h("button", { type: "submit", class: "primary" }, "Start benchmark");
   const chosenModes = () => MODES.filter((_, at) => modes[at]?.value() === true);
   let isLocked = false;

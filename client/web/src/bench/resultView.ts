@@ -51,7 +51,11 @@ function frameChart(result: BenchmarkResult): { element: HTMLElement; close(): v
       rows.map((row) => row.frame_times_ms ?? []),
     );
   };
-  const mode = selectField("Mode of the chart", modes.map((value) => ({ value, label: value })), show);
+  const mode = selectField(
+    "Mode of the chart",
+    modes.map((value) => ({ value, label: value })),
+    show,
+  );
   show(modes[0] ?? "");
   return { element: h("div", { class: "chart" }, mode.element, plot.element), close: () => plot.close() };
 }
@@ -60,7 +64,9 @@ export function benchmarkView(id: string, result: BenchmarkResult): ResultView {
   const chart = frameChart(result);
   const { spec, scene } = result;
   const facts = `${scene.title}, ${scene.fidelity}; ${spec.width} × ${spec.height}, ${spec.frames} frames; ${result.machine.device}`;
-  const table = sortTable("Results", columnsOf(result), result.rows, (row) => (row.gate?.status === "open" ? "open" : null));
+  const table = sortTable("Results", columnsOf(result), result.rows, (row) =>
+    row.gate?.status === "open" ? "open" : null,
+  );
   const stopped = result.stop_reason === "time_limit" ? ["Measuring stopped at the time limit."] : [];
   return {
     element: h(
@@ -69,6 +75,7 @@ export function benchmarkView(id: string, result: BenchmarkResult): ResultView {
       h("p", { class: "hint" }, facts),
       downloads(id),
       table,
+      h("p", { class: "hint" }, "Paper: the study's times on a GeForce GTX 280, 1024 × 1024, 400 frames."),
       notesOf([...stopped, ...result.notes], scene.warnings),
       chart.element,
     ),
@@ -78,7 +85,8 @@ export function benchmarkView(id: string, result: BenchmarkResult): ResultView {
 
 export function accuracyView(id: string, result: AccuracyResult): ResultView {
   const failed = result.cases.filter((one) => one.strict && one.failures > 0).length;
-  const cases = result.cases.length > 0 ? `${result.cases.length} runs of hard cases, ${failed} strict ones failed.` : "";
+  const cases =
+    result.cases.length > 0 ? `${result.cases.length} runs of hard cases, ${failed} strict ones failed.` : "";
   return {
     element: h(
       "div",

@@ -84,15 +84,13 @@ export class Plot {
       grid: { stroke: line, width: 1 },
       ticks: { stroke: line, width: 1 },
     });
-    const series = this.lines.map(
-      (one): uPlot.Series => ({
-        label: one.name,
-        stroke: colourOf(this.element, `--c${one.colour % 8}`),
-        width: 1.5,
-        points: { show: false },
-        value: (_, value) => (value === null ? "–" : figure(value)),
-      }),
-    );
+    const series = this.lines.map((one): uPlot.Series => ({
+      label: one.name,
+      stroke: colourOf(this.element, `--c${one.colour % 8}`),
+      width: 1.5,
+      points: { show: false },
+      value: (_, value) => (value === null ? "–" : figure(value)),
+    }));
     const options: uPlot.Options = {
       width,
       height: HEIGHT,

@@ -89,13 +89,19 @@ class Benchmarks implements Page {
         {},
         h(
           "button",
-          { type: "button", "aria-current": job.id === this.chosen ? "true" : null, onclick: () => this.choose(job.id) },
+          {
+            type: "button",
+            "aria-current": job.id === this.chosen ? "true" : null,
+            onclick: () => this.choose(job.id),
+          },
           h("span", { class: "scene-name" }, titleOf(job)),
           h("span", { class: "scene-facts" }, `${stateText(job)} · ${job.created_at.replace("T", " ").slice(0, 16)}`),
         ),
       );
     const focused = document.activeElement instanceof HTMLElement && this.list.contains(document.activeElement);
-    const at = focused ? [...this.list.querySelectorAll("button")].indexOf(document.activeElement as HTMLButtonElement) : -1;
+    const at = focused
+      ? [...this.list.querySelectorAll("button")].indexOf(document.activeElement as HTMLButtonElement)
+      : -1;
     fill(this.list, ...this.jobs.map(row), this.jobs.length === 0 && h("li", { class: "hint" }, "None yet."));
     if (at >= 0) this.list.querySelectorAll("button")[at]?.focus();
   }

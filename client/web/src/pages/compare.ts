@@ -63,7 +63,14 @@ class Compare implements Page {
     this.wiper.addEventListener("input", () => this.wipe());
     put(this.images, [...this.sides.map((side) => side.box)]);
     const settings = h("section", { class: "two", "aria-label": "Settings" });
-    put(root, [h("h1", { class: "hidden" }, "Compare"), this.toolbar(), this.images, this.legend, this.figures.element, settings]);
+    put(root, [
+      h("h1", { class: "hidden" }, "Compare"),
+      this.toolbar(),
+      this.images,
+      this.legend,
+      this.figures.element,
+      settings,
+    ]);
     this.wipe();
     void this.start(settings);
   }
@@ -112,9 +119,13 @@ class Compare implements Page {
   }
 
   private toolbar(): HTMLElement {
-    const size = selectField("Size", SIZES.map((value) => ({ value, label: `${value} × ${value}` })), (value) => {
-      for (const side of this.sides) side.stage.resize(Number(value));
-    });
+    const size = selectField(
+      "Size",
+      SIZES.map((value) => ({ value, label: `${value} × ${value}` })),
+      (value) => {
+        for (const side of this.sides) side.stage.resize(Number(value));
+      },
+    );
     size.set("512");
     const sights = segments("Show", SIGHTS, (value) => {
       this.sight = value as Sight;
@@ -159,7 +170,10 @@ class Compare implements Page {
 
   private present(side: Side): void {
     this.scenePick.set(side.look.scene);
-    side.panel?.show(side.look, this.scenes.find((scene) => scene.name === side.look.scene));
+    side.panel?.show(
+      side.look,
+      this.scenes.find((scene) => scene.name === side.look.scene),
+    );
     const caption = side.box.querySelector("figcaption");
     if (caption) caption.textContent = `${side.name.toUpperCase()}: ${side.look.structure}/${side.look.traversal}`;
     this.forget();
@@ -265,7 +279,12 @@ class Compare implements Page {
 
   /** Alt with an arrow key goes from pixel to pixel. */
   private step(event: KeyboardEvent): void {
-    const moves: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const moves: Record<string, [number, number]> = {
+      ArrowLeft: [-1, 0],
+      ArrowRight: [1, 0],
+      ArrowUp: [0, -1],
+      ArrowDown: [0, 1],
+    };
     const move = moves[event.key];
     if (!event.altKey || move === undefined) return;
     event.preventDefault();

@@ -31,8 +31,8 @@ class Machine implements Page {
       h("h1", { class: "hidden" }, "Machine"),
       this.warnings,
       card("Device", this.device),
-      h("section", { class: "card wide", "aria-label": "Memory" }, h("h2", {}, "In memory"), this.total, this.resident),
       card("Versions", this.versions),
+      h("section", { class: "card wide", "aria-label": "Memory" }, h("h2", {}, "In memory"), this.total, this.resident),
     ]);
     this.timer = setInterval(() => void this.refresh(), REFRESH_MS);
     void this.refresh();
@@ -54,7 +54,10 @@ class Machine implements Page {
     try {
       const [system, scenes, structures] = await Promise.all([getSystem(), listScenes(), listStructures()]);
       this.showSystem(system);
-      this.showResident(scenes.filter((scene) => scene.loaded), structures);
+      this.showResident(
+        scenes.filter((scene) => scene.loaded),
+        structures,
+      );
     } catch (error) {
       noticeOf("machine", error, { label: "Try again", run: () => void this.refresh() });
     }
@@ -67,7 +70,10 @@ class Machine implements Page {
     fill(this.warnings, texts.length > 0 && h("ul", { class: "warnings" }, ...texts.map((text) => h("li", {}, text))));
     this.warnings.hidden = texts.length === 0;
     const { total_bytes, free_bytes, resident_bytes } = device.memory;
-    const memory = total_bytes > 0 ? `${bytes(resident_bytes)} used by Raywalk, ${bytes(free_bytes)} of ${bytes(total_bytes)} free` : "";
+    const memory =
+      total_bytes > 0
+        ? `${bytes(resident_bytes)} used by Raywalk, ${bytes(free_bytes)} of ${bytes(total_bytes)} free`
+        : "";
     fill(
       this.device,
       facts([
@@ -101,10 +107,14 @@ class Machine implements Page {
     const now = JSON.stringify([scenes, structures]);
     if (now === this.shown) return; // keeps the focus where it is
     this.shown = now;
-    const head = ["Name", "Size", "Contents", "Time", "Actions"].map((name) => h("th", { scope: "col" }, name));
+    const head = ["Name", "Size", "Contents", "Time", "Actions"].map((name) =>
+      h("th", { scope: "col", class: name === "Size" || name === "Actions" ? "number" : null }, name),
+    );
     const rows = scenes.flatMap((scene) => [
       this.sceneRow(scene),
-      ...structures.filter((structure) => structure.scene === scene.name).map((structure) => this.structureRow(structure)),
+      ...structures
+        .filter((structure) => structure.scene === scene.name)
+        .map((structure) => this.structureRow(structure)),
     ]);
     fill(
       this.resident,
@@ -117,7 +127,9 @@ class Machine implements Page {
   private sceneRow(scene: Scene): HTMLElement {
     const contents = `${plural(scene.triangles, "triangle")}, ${scene.fidelity}`;
     const cells = [bytes(scene.size_bytes ?? 0), contents, `loaded in ${milliseconds(scene.load_ms ?? 0)}`];
-    return this.row("scene", scene.name, cells, scene.pinned === true, `scenes/${scene.name}`, () => evictScene(scene.name));
+    return this.row("scene", scene.name, cells, scene.pinned === true, `scenes/${scene.name}`, () =>
+      evictScene(scene.name),
+    );
   }
 
   private structureRow(structure: Structure): HTMLElement {
@@ -128,7 +140,9 @@ class Machine implements Page {
     const time = isReady ? `built in ${milliseconds(structure.build_ms ?? 0)}` : "";
     const cells = [bytes(structure.size_bytes ?? 0), contents, time];
     const path = `structures/${structure.id}`;
-    return this.row("structure", structure.id, cells, structure.pinned === true, path, () => evictStructure(structure.id));
+    return this.row("structure", structure.id, cells, structure.pinned === true, path, () =>
+      evictStructure(structure.id),
+    );
   }
 
   private row(
@@ -160,12 +174,16 @@ class Machine implements Page {
       ...cells.map((cell, at) => h("td", { class: at === 0 ? "number" : null }, cell)),
       h(
         "td",
-        { class: "actions" },
-        h("label", { class: "check" }, pinned, h("span", {}, "pin", h("span", { class: "hidden" }, ` ${name}`))),
+        {},
         h(
-          "button",
-          { type: "button", disabled: isPinned, "aria-label": `Evict ${name}`, onclick: () => void act(evict) },
-          "Evict",
+          "div",
+          { class: "actions" },
+          h("label", { class: "check" }, pinned, h("span", {}, "pin", h("span", { class: "hidden" }, ` ${name}`))),
+          h(
+            "button",
+            { type: "button", disabled: isPinned, "aria-label": `Evict ${name}`, onclick: () => void act(evict) },
+            "Evict",
+          ),
         ),
       ),
     );

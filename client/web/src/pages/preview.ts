@@ -20,7 +20,8 @@ import { TimingPanel } from "../viewer/timingPanel.ts";
 import type { Drawn } from "../viewer/viewer.ts";
 
 const SIZES = ["fit", "256", "512", "768", "1024"];
-const KEYS = "Drag or arrow keys turn, Shift-drag moves, wheel or + and - zoom, W A S D Q E fly, Home is the first view.";
+const KEYS =
+  "Drag or arrow keys turn, Shift-drag moves, wheel or + and - zoom, W A S D Q E fly, Home is the first view.";
 const ADDRESS_MS = 250;
 
 class Preview implements Page {

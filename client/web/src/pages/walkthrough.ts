@@ -24,12 +24,24 @@ class Walkthrough implements Page {
   private readonly position = h("output", { class: "position" });
   private readonly slider = h("input", { type: "range", min: 0, value: 0, "aria-label": "Frame" });
   private readonly playButton = h("button", { type: "button", class: "primary" }, "Play");
-  private readonly plot = new Plot("Trace time of each frame, one line a technique; the table has the figures", "frame", "trace ms");
+  private readonly plot = new Plot(
+    "Trace time of each frame, one line a technique; the table has the figures",
+    "frame",
+    "trace ms",
+  );
   private readonly rows = h("tbody");
   private readonly times = new Map<string, (number | null)[]>();
   private readonly scene = selectField("Scene", [], () => this.change());
-  private readonly mode = selectField("Mode", MODES.map((value) => ({ value, label: value })), () => this.change());
-  private readonly size = selectField("Size", SIZES.map((value) => ({ value, label: `${value} × ${value}` })), () => this.change());
+  private readonly mode = selectField(
+    "Mode",
+    MODES.map((value) => ({ value, label: value })),
+    () => this.change(),
+  );
+  private readonly size = selectField(
+    "Size",
+    SIZES.map((value) => ({ value, label: `${value} × ${value}` })),
+    () => this.change(),
+  );
   private readonly frames = numberField("Frames", 60, { min: 2, max: 2000 }, () => this.change());
   private readonly seen = selectField("Image of", [], () => this.change());
   private readonly list = h("div");
@@ -94,7 +106,11 @@ class Walkthrough implements Page {
       "section",
       { class: "card wide", "aria-label": "Times" },
       this.plot.element,
-      h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "Table of times" }, h("table", {}, h("thead", {}, h("tr", {}, ...head)), this.rows)),
+      h(
+        "div",
+        { class: "scroll", tabindex: 0, role: "region", "aria-label": "Table of times" },
+        h("table", {}, h("thead", {}, h("tr", {}, ...head)), this.rows),
+      ),
     );
   }
 
@@ -143,7 +159,13 @@ class Walkthrough implements Page {
     this.showPlaying();
     this.draw();
     const { scene, mode, side, frames } = walk;
-    replaceAddress("walkthrough", { scene, mode, size: String(side), frames: String(frames), techniques: names.join(",") });
+    replaceAddress("walkthrough", {
+      scene,
+      mode,
+      size: String(side),
+      frames: String(frames),
+      techniques: names.join(","),
+    });
     if (techniques.length > 0) this.player.seek(this.player.frame);
   }
 
@@ -189,7 +211,10 @@ class Walkthrough implements Page {
   private draw(): void {
     this.isDrawing = false;
     const lines = [...this.times.values()];
-    this.plot.set(Array.from({ length: this.player.walk.frames }, (_, at) => at), lines);
+    this.plot.set(
+      Array.from({ length: this.player.walk.frames }, (_, at) => at),
+      lines,
+    );
     const pixels = this.player.walk.side ** 2;
     const rows = [...this.times].map(([name, times]) => {
       const known = times.filter((time) => time !== null);

@@ -8,9 +8,10 @@ export function count(value: number): string {
 /** Three significant digits, without exponents. */
 export function figure(value: number): string {
   if (!Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
   const size = Math.abs(value);
   if (size >= 100) return WHOLE.format(value);
-  return value.toFixed(size >= 10 ? 1 : size >= 1 || size === 0 ? 2 : 3);
+  return value.toFixed(size >= 10 ? 1 : size >= 1 ? 2 : 3);
 }
 
 export function milliseconds(value: number): string {

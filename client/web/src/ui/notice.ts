@@ -12,8 +12,13 @@ const shown = new Map<string, HTMLElement>();
 /** Shows a message in place of the last one of `subject`. */
 export function notice(subject: string, kind: "error" | "info", text: string, action?: Action): void {
   dismiss(subject);
-  const button = action && h("button", { type: "button", onclick: () => (dismiss(subject), action.run()) }, action.label);
-  const close = h("button", { type: "button", class: "quiet", "aria-label": "Dismiss", onclick: () => dismiss(subject) }, "×");
+  const button =
+    action && h("button", { type: "button", onclick: () => (dismiss(subject), action.run()) }, action.label);
+  const close = h(
+    "button",
+    { type: "button", class: "quiet", "aria-label": "Dismiss", onclick: () => dismiss(subject) },
+    "×",
+  );
   const box = h("div", { class: `notice ${kind}`, "data-subject": subject }, h("p", {}, text), button, close);
   shown.set(subject, box);
   document.getElementById("notices")?.append(box);

@@ -6,7 +6,11 @@ import { numberField, selectField } from "./fields.ts";
 function fieldOf(option: Option, options: Options, change: (value: string | number) => void): HTMLElement {
   const value = options[option.name] ?? option.default;
   if (option.choices !== undefined && option.choices.length > 0) {
-    const field = selectField(option.name, option.choices.map((name) => ({ value: name, label: name })), change);
+    const field = selectField(
+      option.name,
+      option.choices.map((name) => ({ value: name, label: name })),
+      change,
+    );
     field.set(String(value));
     return field.element;
   }

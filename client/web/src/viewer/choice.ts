@@ -58,7 +58,7 @@ export function lookToParameters(look: Look, prefix = ""): Record<string, string
 function optionsFrom(text: string | null): Options {
   try {
     const value: unknown = JSON.parse(text ?? "{}");
-    if (typeof value !== "object" || value === null) return {};
+    if (typeof value !== "object" || value === null || Array.isArray(value)) return {};
     const entries = Object.entries(value).filter(([, v]) => typeof v === "number" || typeof v === "string");
     return Object.fromEntries(entries) as Options;
   } catch {

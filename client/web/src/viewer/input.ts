@@ -89,7 +89,9 @@ export class Input {
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 30 : 1;
     const amount = Math.max(-200, Math.min(200, event.deltaY * lines)) / 500;
     this.change((pose, extent) =>
-      this.steered.motion() === "fly" ? fly(pose, -amount * extent.radius, 0, 0, extent) : zoom(pose, Math.exp(amount), extent),
+      this.steered.motion() === "fly"
+        ? fly(pose, -amount * extent.radius, 0, 0, extent)
+        : zoom(pose, Math.exp(amount), extent),
     );
   }
 

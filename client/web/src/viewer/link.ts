@@ -15,7 +15,12 @@ function vector(given: string | null): Vec3 | null {
 
 /** Parameters of an address. */
 export function poseToParameters(pose: Pose): Record<string, string> {
-  return { eye: vectorText(pose.eye), target: vectorText(pose.target), up: vectorText(pose.up), fov: String(pose.fovDeg) };
+  return {
+    eye: vectorText(pose.eye),
+    target: vectorText(pose.target),
+    up: vectorText(pose.up),
+    fov: String(pose.fovDeg),
+  };
 }
 
 /** None when the address names no camera; "bad" when what it names is not one. */

@@ -7,7 +7,13 @@ import { optionFields } from "../ui/optionFields.ts";
 import { known, type Look, MODES, OUTPUTS, traversalsOf } from "./choice.ts";
 
 const MODE_NAMES = { primary: "primary rays", shadow: "with shadows", whitted: "Whitted, recursive" };
-const OUTPUT_NAMES = { color: "shaded", depth: "depth", normal: "normals", id: "triangle ids", steps: "steps heat map" };
+const OUTPUT_NAMES = {
+  color: "shaded",
+  depth: "depth",
+  normal: "normals",
+  id: "triangle ids",
+  steps: "steps heat map",
+};
 
 export interface LookPanel {
   element: HTMLElement;
@@ -30,7 +36,9 @@ export function lookPanel(
     names.map((name) => ({ value: name, label: labels[name] ?? name }));
 
   const structures = kinds.map((kind) => ({ value: kind.name, label: kind.name, title: kind.help }));
-  const structure = selectField("Structure", structures, (value) => update({ structure: value, build: {}, kernel: {} }));
+  const structure = selectField("Structure", structures, (value) =>
+    update({ structure: value, build: {}, kernel: {} }),
+  );
   const traversal = selectField("Traversal", [], (value) => update({ traversal: value, kernel: {} }));
   const mode = selectField("Mode", named(MODES, MODE_NAMES), (value) => update({ mode: value as Look["mode"] }));
   const depth = numberField("Depth", 2, { min: 0, max: 16 }, (value) => update({ depth: value }));
@@ -60,7 +68,11 @@ export function lookPanel(
       const chosen = kind?.traversals.find((one) => one.name === look.traversal);
       structure.set(look.structure);
       traversal.offer(
-        names.map((name) => ({ value: name, label: name, title: kind?.traversals.find((t) => t.name === name)?.help ?? "" })),
+        names.map((name) => ({
+          value: name,
+          label: name,
+          title: kind?.traversals.find((t) => t.name === name)?.help ?? "",
+        })),
       );
       traversal.set(look.traversal);
       mode.set(look.mode);
@@ -69,8 +81,14 @@ export function lookPanel(
       tier.set(look.tier);
       output.set(look.output);
       lights.textContent = scene === undefined ? "" : `${plural(scene.lights, "light")} in this scene`;
-      fill(build, optionFields("Build options", kind?.options ?? [], look.build, (value) => update({ build: value })));
-      fill(kernel, optionFields("Kernel options", chosen?.options ?? [], look.kernel, (value) => update({ kernel: value })));
+      fill(
+        build,
+        optionFields("Build options", kind?.options ?? [], look.build, (value) => update({ build: value })),
+      );
+      fill(
+        kernel,
+        optionFields("Kernel options", chosen?.options ?? [], look.kernel, (value) => update({ kernel: value })),
+      );
     },
   };
 }

@@ -16,7 +16,9 @@ export class TimingPanel {
   private times: number[] = [];
 
   constructor() {
-    const entries = PARTS.flatMap((name, at) => [h("dt", {}, h("i", { class: `key ${name}` }), name), this.values[at]]);
+    const entries = PARTS.map((name, at) =>
+      h("div", {}, h("dt", {}, h("i", { class: `key ${name}` }), name), this.values[at]),
+    );
     this.element = h(
       "section",
       { class: "timing", "aria-label": "Timing" },
