@@ -47,21 +47,10 @@ void shade(BlockTracer& tracer, const FrameArgs& args, Tile tile, Sink sink) {
 #undef RW_SHADE
 }
 
-/// work(first, count, active) for pieces of a list, as long as a block; rays behind the list are not active.
-template <class Work>
-void in_pieces(u64 count, Work work) {
-  for (u64 first = 0; first < count; first += kBlockRays) {
-    const u64 here = count - first < kBlockRays ? count - first : kBlockRays;
-    bool active[kBlockRays];
-    for (u64 i = 0; i < kBlockRays; ++i) active[i] = i < here;
-    work(first, here, active);
-  }
-}
-
 template <class Traversal>
 void closest(const TraceTarget& target, const Ray* rays, u64 count, Hit* hits) {
   const TraceFunctions& functions = functions_of<Traversal>(target).plain;
-  in_pieces(count, [&](u64 first, u64, const bool* active) {
+  for_groups<kBlockRays>(count, [&](u64 first, const bool* active) {
     functions.closest(target, rays + first, active, kBlockRays, hits + first, nullptr);
   });
 }
@@ -69,21 +58,21 @@ void closest(const TraceTarget& target, const Ray* rays, u64 count, Hit* hits) {
 template <class Traversal>
 void occluded(const TraceTarget& target, const Ray* rays, u64 count, u8* out) {
   const TraceFunctions& functions = functions_of<Traversal>(target).plain;
-  in_pieces(count, [&](u64 first, u64 here, const bool* active) {
+  for_groups<kBlockRays>(count, [&](u64 first, const bool* active) {
     bool flags[kBlockRays];
     functions.occluded(target, rays + first, active, kBlockRays, flags, nullptr);
-    for (u64 i = 0; i < here; ++i) out[first + i] = flags[i];
+    for (u64 i = 0; i < kBlockRays && active[i]; ++i) out[first + i] = flags[i];
   });
 }
 
 template <class Traversal>
 void count_rays(const TraceTarget& target, const Ray* rays, u64 count, Counts* counts) {
   const TraceFunctions& functions = functions_of<Traversal>(target).counting;
-  in_pieces(count, [&](u64 first, u64 here, const bool* active) {
+  for_groups<kBlockRays>(count, [&](u64 first, const bool* active) {
     Hit hits[kBlockRays];
     Counts work[kBlockRays] = {};
     functions.closest(target, rays + first, active, kBlockRays, hits, work);
-    for (u64 i = 0; i < here; ++i) counts[first + i] = work[i];
+    for (u64 i = 0; i < kBlockRays && active[i]; ++i) counts[first + i] = work[i];
   });
 }
 

@@ -20,7 +20,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build/bundle"
 OPENIMAGEIO = ROOT / "build/openimageio"
-TEST_PROGRAMS = ("test_device", "test_gpu")
+TEST_PROGRAMS = ("test_device", "test_gpu", "raywalk_at_scale")
 LDD_LINE = re.compile(r"^\s*(\S+) => (/\S+)")
 
 

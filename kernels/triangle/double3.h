@@ -1,4 +1,4 @@
-// Three doubles, for triangle tests in double precision. Neither products nor sums are fused. No product of six floats
+// Three doubles, for what is done in double precision. Neither products nor sums are fused. No product of six floats
 // leaves the range of doubles.
 #pragma once
 #include "kernels/vec.h"
@@ -7,6 +7,7 @@ namespace raywalk {
 
 struct Double3 {
   double x, y, z;
+  RW_FN double operator[](u32 axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
 RW_FN Double3 to_double(Vec3 a) {

@@ -4,30 +4,15 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "kernels/shade/spawn.h"
 #include "server/device/camera.h"
 #include "server/device/knobs.h"
 
 namespace raywalk {
-namespace {
-
-using Origin = Vec3 (*)(const Surface& surface, Vec3 d);
-
-/// The default for options without a spawn offset, as an engine has them.
-Origin origin_of(const OptionValues& kernel) {
-#define RW_ORIGIN_ROW(type, name, help) &type::origin,
-  static constexpr Origin kOrigins[] = {RW_SPAWN_OFFSETS(RW_ORIGIN_ROW)};
-#undef RW_ORIGIN_ROW
-  return kOrigins[knobs_of(kernel).spawn];
-}
-
-}  // namespace
-
 ShadowRays shadow_rays(SceneView scene, const FrameJob& job, std::span<const Hit> hits, u64 limit) {
   if (hits.size() != u64{job.width} * job.height) throw std::logic_error("shadow rays of another frame");
   const Camera camera = camera_of(job.camera, job.width, job.height);
-  const Origin origin_at = origin_of(job.kernel);
-  std::vector<u32> lit;  // pixels with a hit
+  const SpawnOrigin origin_at = spawn_origin_of(knobs_of(job.kernel).spawn);  // the default for an engine
+  std::vector<u32> lit;                                                       // pixels with a hit
   for (u32 i = 0; i < hits.size(); ++i) {
     if (hits[i].id < scene.triangle_count()) lit.push_back(i);
   }

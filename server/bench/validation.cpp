@@ -6,12 +6,6 @@
 namespace raywalk {
 namespace {
 
-void add(Counts& sum, const Counts& counts) {
-  sum.rays += counts.rays;
-  sum.steps += counts.steps;
-  sum.tests += counts.tests;
-}
-
 void count_work(const Subject& subject, const FrameJob& job, DeviceQueue& queue, Validation& out) {
   if (subject.baseline) {
     out.counts.rays += u64{job.width} * job.height;
@@ -19,7 +13,7 @@ void count_work(const Subject& subject, const FrameJob& job, DeviceQueue& queue,
     return;
   }
   queue.run([&](Device& device) {
-    add(out.counts, device.count(job));
+    out.counts += device.count(job);
     out.counts_work = device.can_count(subject.technique.structure);
   });
 }

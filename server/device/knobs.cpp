@@ -2,6 +2,9 @@
 #include "server/device/knobs.h"
 
 #include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <string>
 
 #include "kernels/accel/traversals.h"
 
@@ -63,6 +66,14 @@ std::vector<Option> knob_options(u32 traversal_knobs) {
   }
   options.push_back(choice("spawn", kSpawnHelp, spawn_rows()));
   return options;
+}
+
+SpawnOrigin spawn_origin_of(u32 spawn) {
+#define RW_SPAWN_ORIGIN(type, name, help) &type::origin,
+  static constexpr SpawnOrigin kOrigins[] = {RW_SPAWN_OFFSETS(RW_SPAWN_ORIGIN)};
+#undef RW_SPAWN_ORIGIN
+  if (spawn >= std::size(kOrigins)) throw std::invalid_argument("no spawn offset has number " + std::to_string(spawn));
+  return kOrigins[spawn];
 }
 
 Knobs knobs_of(const OptionValues& options) {

@@ -6,6 +6,7 @@
 
 #include "kernels/accel/kind.h"
 #include "kernels/entry_cpu.h"
+#include "kernels/shade/spawn.h"
 
 namespace raywalk {
 
@@ -21,6 +22,11 @@ const std::vector<KnobRow>& spawn_rows();
 
 /// intersector; slab and stack_entries where `traversal_knobs` (kKnobSlab, kKnobStack) has them; spawn.
 std::vector<Option> knob_options(u32 traversal_knobs);
+
+/// Where a ray towards `d` starts that leaves `surface`, by the row of spawn_rows(). Throws std::invalid_argument
+/// when there is no such row.
+using SpawnOrigin = Vec3 (*)(const Surface& surface, Vec3 d);
+SpawnOrigin spawn_origin_of(u32 spawn);
 
 /// Defaults for what `options` leaves out; options that are no knobs are left alone.
 Knobs knobs_of(const OptionValues& options);

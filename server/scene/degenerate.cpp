@@ -4,19 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/triangle/double3.h"
+
 namespace raywalk {
 namespace {
 
 // Differences, products and the difference of these err by less than 2^-50 of the larger product together.
 constexpr double kCertain = 0x1p-49;
-
-struct Edge {
-  double x, y, z;
-};
-
-Edge edge(Vec3 from, Vec3 to) {
-  return {double{to.x} - double{from.x}, double{to.y} - double{from.y}, double{to.z} - double{from.z}};
-}
 
 bool certainly_differ(double p, double q) {
   return std::abs(p - q) > kCertain * std::max(std::abs(p), std::abs(q));
@@ -32,7 +26,7 @@ bool same_products(float a0, float a1, float b0, float b1, float c0, float c1) {
 
 bool is_degenerate(const Corners& triangle) {
   const Vec3 a = triangle.a, b = triangle.b, c = triangle.c;
-  const Edge ab = edge(a, b), ac = edge(a, c);
+  const Double3 ab = between(a, b), ac = between(a, c);
   if (certainly_differ(ab.x * ac.y, ab.y * ac.x) || certainly_differ(ab.y * ac.z, ab.z * ac.y) ||
       certainly_differ(ab.z * ac.x, ab.x * ac.z)) {
     return false;

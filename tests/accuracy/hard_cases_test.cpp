@@ -66,10 +66,8 @@ double quick_share(u32 number) {
   return number <= 2 ? 0.1 : 0.04;
 }
 
-/// All of edges, vertices and spawned rays, a quarter of the others. Of case 25 no more than the quick ones: with all
-/// of its rays 42 of 2,160,000 change their triangle with the scale, which is an open question.
+/// All of edges, vertices and spawned rays, a quarter of the others.
 double slow_share(u32 number) {
-  if (number == 25) return quick_share(number);
   const bool all = number <= 2 || number == 35 || number == 36 || number == 38;
   return all ? 1.0 : 0.25;
 }

@@ -162,7 +162,7 @@ def test_the_launcher_names_missing_packages(bundle, tmp_path):
     bare = {"PATH": "/usr/bin:/bin", "RAYWALK_PYTHON": str(tmp_path / "bare/bin/python")}
     said = call(bundle / "bin/raywalk", "doctor", environment=bare)
     assert said.returncode == 1
-    assert "has no httpx2, numpy, pillow, pydantic, rich, typer" in said.stderr
+    assert "has no flip-evaluator, httpx2, numpy, pillow, pydantic, rich, typer" in said.stderr
     assert "python/requirements.txt" in said.stderr
     half = bare | {"PYTHONPATH": sysconfig.get_path("purelib")}
     assert call(bundle / "bin/raywalk", "--version", environment=half).stdout.startswith("raywalk ")

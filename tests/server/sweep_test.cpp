@@ -148,7 +148,7 @@ class DoubleHits : public testing::Test {
   }
   bool twice(const Ray& ray, u32 first, u32 second) const {
     const SceneView view{blob_.data()};
-    return is_double_hit(ray, view.corners()[first], view.corners()[second], VertexFans(view));
+    return is_double_hit(ray, view, first, second, VertexFans(view));
   }
   Blob blob_;
 };
@@ -180,10 +180,27 @@ TEST_F(DoubleHits, AtAVertexAreOfSurfacesThatDoNotTurnBack) {
   make({hub, a, b, hub, b, c, hub, c, a});
   EXPECT_TRUE(twice(ray, 0, 1));
   EXPECT_TRUE(twice(ray, 0, 2));
-  make({hub, a, b, hub, b, c, hub, c, a, hub, b, a});  // the last one shows its back
-  EXPECT_FALSE(twice(ray, 0, 2));
-  make({hub, a, b, hub, b, c, hub, behind, a, hub, a, {0, 0, -1}});  // one is seen edge-on
+  make({hub, a, b, hub, b, c, hub, c, behind, hub, behind, a});  // the last one shows its back
   EXPECT_FALSE(twice(ray, 0, 1));
+  make({hub, a, b, hub, b, c, hub, c, {0, 0, -1}});  // one is seen edge-on
+  EXPECT_FALSE(twice(ray, 0, 1));
+}
+
+TEST_F(DoubleHits, AtAVertexAreNotOfMeshesThatTouchThere) {
+  const Vec3 hub{0, 0, 0}, a{1, 0, 0}, b{0, 1, 0}, c{-1, -1, 0}, p{1, 1, 0}, q{-1, 1, 0}, r{0, -1, 0};
+  const Ray ray{{-1e-7f, 1e-8f, 1}, 0, {0, 0, -1}, 10};
+  make({hub, a, b, hub, b, c, hub, c, a, hub, p, q, hub, q, r, hub, r, p});  // two fans in one plane
+  EXPECT_TRUE(twice(ray, 0, 2));
+  EXPECT_TRUE(twice(ray, 3, 5));
+  EXPECT_FALSE(twice(ray, 0, 3)) << "each is met once";
+  EXPECT_FALSE(twice(ray, 2, 4));
+  make({hub, a, b, hub, b, c, hub, c, a, hub, b, p});  // three triangles share an edge
+  EXPECT_TRUE(twice(ray, 0, 2));
+  EXPECT_TRUE(twice(ray, 0, 1)) << "joined by the other way round";
+  EXPECT_FALSE(twice(ray, 0, 3));
+  const Vec3 over_a{1, 0.5f, 0.1f};
+  make({hub, a, b, hub, b, c, hub, c, r, hub, r, over_a});  // an open fan whose ends overlap
+  EXPECT_FALSE(twice(ray, 0, 3));
 }
 
 TEST(Continued, RaysBeginBehindTheirHit) {

@@ -60,7 +60,8 @@ void far_from_the_origin(Exam& exam) {
 
 void scaled_scenes(Exam& exam) {
   if (ends_the_process(exam)) return;
-  const Mesh& mesh = exam.store().get("mesh", [] { return icosphere(3, 2.0f); });
+  constexpr float kRadius = 2.0f;
+  const Mesh& mesh = exam.store().get("mesh", [] { return icosphere(3, kRadius); });
   std::vector<Ray> rays = edge_rays(exam.seed(1), exam.count(3'000), mesh);
   for (const Ray& ray : random_rays(exam.seed(2), exam.count(3'000), bounds_of(mesh))) rays.push_back(ray);
   const auto scene = [&](int k) -> const SceneBlob& {
@@ -79,8 +80,9 @@ void scaled_scenes(Exam& exam) {
     exam.add_rays(rays.size());
     const bool within = k >= kSmallestScale && k <= kLargestScale;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      // Outside the range a hit may get lost, or go to a neighbour, but stays a hit of this place.
-      const bool lost = others[i].id == kMiss || (hits[i].id != kMiss && others[i].t <= 8.0f * by * length(rays[i].o));
+      // Outside the range a hit may get lost, or go to another triangle, but stays on the sphere.
+      const Vec3 unscaled = rays[i].o + rays[i].d * (others[i].t / by);
+      const bool lost = others[i].id == kMiss || (hits[i].id != kMiss && std::abs(length(unscaled) - kRadius) < 0.1f);
       if (within ? is_scaled(others[i], hits[i], by) : lost) continue;
       exam.fail([&] {
         return Failure{

@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/shade/spawn.h"
 #include "server/accuracy/cases/case_list.h"
 #include "server/accuracy/cases/hex.h"
 #include "server/accuracy/cases/spawned.h"
 #include "server/accuracy/cases/trial.h"
+#include "server/device/knobs.h"
 
 namespace raywalk::accuracy {
 namespace {
@@ -77,14 +77,7 @@ Mesh coarse_sphere(float radius) {
 }  // namespace
 
 Vec3 spawn_origin(const Technique& technique, const Surface& surface, Vec3 d) {
-  const auto found = technique.kernel.find("spawn");
-  const u32 chosen = found == technique.kernel.end() ? 0u : static_cast<u32>(found->second);
-  u32 row = 0;
-#define RW_SPAWN(type, name, help) \
-  if (chosen == row++) return type::origin(surface, d);
-  RW_SPAWN_OFFSETS(RW_SPAWN)
-#undef RW_SPAWN
-  throw std::invalid_argument("no spawn offset has number " + std::to_string(chosen));
+  return spawn_origin_of(knobs_of(technique.kernel).spawn)(surface, d);
 }
 
 void spawned_at_all_sizes(Exam& exam) {

@@ -1,24 +1,11 @@
-// Three doubles, and what is known of their rounding. No product of six floats leaves the range of doubles.
+// More of three doubles, and what is known of their rounding.
 #pragma once
-#include <algorithm>
 #include <cmath>
 
-#include "kernels/vec.h"
+#include "kernels/triangle/double3.h"
 
-namespace raywalk::oracle {
+namespace raywalk {
 
-struct Double3 {
-  double x, y, z;
-  double operator[](u32 axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
-};
-
-inline Double3 to_double(Vec3 a) {
-  return {a.x, a.y, a.z};
-}
-/// a - b, each component rounded once.
-inline Double3 between(Vec3 b, Vec3 a) {
-  return {double{a.x} - double{b.x}, double{a.y} - double{b.y}, double{a.z} - double{b.z}};
-}
 inline Double3 operator+(Double3 a, Double3 b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
@@ -28,21 +15,11 @@ inline Double3 operator-(Double3 a, Double3 b) {
 inline Double3 operator*(Double3 a, double s) {
   return {a.x * s, a.y * s, a.z * s};
 }
-inline double dot(Double3 a, Double3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Double3 cross(Double3 a, Double3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline Double3 magnitude(Double3 a) {
-  return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
-}
-inline double largest(Double3 a) {
-  return std::max({a.x, a.y, a.z});
-}
 inline double length(Double3 a) {
   return std::sqrt(dot(a, a));
 }
+
+namespace oracle {
 
 /// A value and a bound of its error.
 struct Bounded {
@@ -59,4 +36,5 @@ inline Bounded determinant(Double3 a, Double3 b, Double3 c) {
   return {dot(a, cross(b, c)), 0x1p-49 * sum};
 }
 
-}  // namespace raywalk::oracle
+}  // namespace oracle
+}  // namespace raywalk

@@ -1,6 +1,7 @@
 // A filter in double, and integers where it cannot tell.
 #include "server/accuracy/oracle/exact.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -138,8 +139,8 @@ void Pair::set_distances(Crossing& crossing, const double (&along)[3]) {
 Crossing Pair::classify() {
   Crossing result;
   result.position = position();
-  result.radius =
-      kNear * largest({largest(magnitude(corner_[0])), largest(magnitude(corner_[1])), largest(magnitude(corner_[2]))});
+  result.radius = kNear * largest(Double3{largest(magnitude(corner_[0])), largest(magnitude(corner_[1])),
+                                          largest(magnitude(corner_[2]))});
   const bool may_be = result.position == Position::coplanar || may_be_near(result.radius);
   if (may_be || result.met()) {
     const double d_length = length(d_);

@@ -1,6 +1,10 @@
 // The triangles around a ray, seen along it: coverage is asked for at a point on either side of each edge.
 #include "server/accuracy/oracle/sealed.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "server/accuracy/oracle/exact.h"
 
 namespace raywalk::oracle {
@@ -116,6 +120,28 @@ bool are_joined(const Shadow& s, const Corners& a, const Corners& b) {
   return false;
 }
 
+/// True when another triangle has the edge from corner `i` of the shadow on and lies on its other side, or is thin.
+bool goes_on_across(const Shadow& shadow, u32 i, const std::vector<Shadow>& surface, SceneView scene) {
+  const auto vertices_of = [&](u32 id) {
+    const Corners& t = scene.corners()[id];
+    return std::array{t.a, t.b, t.c};
+  };
+  const std::array<Vec3, 3> own = vertices_of(shadow.id);
+  const u32 j = (i + 1) % 3;
+  const Point from = shadow.corner[i], side = shadow.corner[j] - from;
+  const double own_side = cross(side, shadow.corner[(i + 2) % 3] - from);
+  return std::any_of(surface.begin(), surface.end(), [&](const Shadow& other) {
+    const std::array<Vec3, 3> its = vertices_of(other.id);
+    const auto has = [&its](Vec3 p) { return std::find(its.begin(), its.end(), p) != its.end(); };
+    if (other.id == shadow.id || !has(own[i]) || !has(own[j])) return false;
+    for (u32 k = 0; k < 3; ++k) {
+      if (its[k] == own[i] || its[k] == own[j]) continue;
+      return is_thin(other) || cross(side, other.corner[k] - from) * own_side < 0.0;
+    }
+    return false;
+  });
+}
+
 /// The shadow of `id` and those joined to it.
 std::vector<Shadow> joined_to(u32 id, std::vector<Shadow> around, SceneView scene) {
   const auto start = std::find_if(around.begin(), around.end(), [id](const Shadow& s) { return s.id == id; });
@@ -157,6 +183,7 @@ bool is_sealed(const Ray& ray, u32 id, double radius, double end, SceneView scen
       const Part part = part_within(from, shadow.corner[(i + 1) % 3], 1.0);
       if (part.first > part.last) continue;
       any_edge = true;
+      if (!goes_on_across(shadow, i, surface, scene)) return false;
       const Point middle = from + side * (0.5 * (part.first + part.last));
       const Point aside = Point{-side.y, side.x} * (kAside / std::sqrt(dot(side, side)));
       if (!is_covered(middle + aside) || !is_covered(middle - aside)) return false;

@@ -52,8 +52,9 @@ std::vector<Ray> continued_rays(const std::vector<Ray>& rays, const std::vector<
   return out;
 }
 
-bool is_double_hit(const Ray& ray, const Corners& first, const Corners& second, const VertexFans& fans) {
-  const Vec3 a[3] = {first.a, first.b, first.c}, b[3] = {second.a, second.b, second.c};
+bool is_double_hit(const Ray& ray, SceneView scene, u32 first, u32 second, const VertexFans& fans) {
+  const Corners &s = scene.corners()[first], &t = scene.corners()[second];
+  const Vec3 a[3] = {s.a, s.b, s.c}, b[3] = {t.a, t.b, t.c};
   Vec3 shared[3];
   u32 count = 0;
   Vec3 apex_a = a[0], apex_b = b[0];
@@ -66,10 +67,12 @@ bool is_double_hit(const Ray& ray, const Corners& first, const Corners& second, 
     if (p != a[0] && p != a[1] && p != a[2]) apex_b = p;
   }
   if (count == 0 || count == 3) return false;
-  const auto inside = [&](const Corners& t) { return oracle::classify(ray, t).position == oracle::Position::inside; };
-  if (inside(first) && inside(second)) return false;
+  const auto is_inside = [&](const Corners& of) {
+    return oracle::classify(ray, of).position == oracle::Position::inside;
+  };
+  if (is_inside(s) && is_inside(t)) return false;
   for (u32 i = 0; i < count; ++i) {
-    if (passes_by(ray, shared[i])) return fans.face_alike(shared[i], ray.d);
+    if (passes_by(ray, shared[i])) return fans.are_one_surface(shared[i], ray.d, first, second);
   }
   if (count == 1) return false;
   // The neighbours lie on different sides of the plane through the ray's origin and their edge.
@@ -109,9 +112,8 @@ void Judge::add(u64 place, const Answers& answers, SweepErrors& errors) {
   errors.figures.add(judgement);
   const bool nan = std::isnan(hit.t) || std::isnan(hit.u) || std::isnan(hit.v);
   const bool self = errors.self_hits && hit.id == list_.own[i];
-  const bool twice =
-      errors.double_hits && hit.id != kMiss && answers.beyond[i].id != kMiss &&
-      is_double_hit(list_.rays[i], scene_.corners()[hit.id], scene_.corners()[answers.beyond[i].id], fans_);
+  const bool twice = errors.double_hits && hit.id != kMiss && answers.beyond[i].id != kMiss &&
+                     is_double_hit(list_.rays[i], scene_, hit.id, answers.beyond[i].id, fans_);
   errors.nan_outputs += nan;
   if (self) ++*errors.self_hits;
   if (twice) ++*errors.double_hits;

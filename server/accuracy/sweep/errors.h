@@ -32,10 +32,10 @@ struct Answers {
 constexpr u32 kDoubleHitUlps = 16;
 std::vector<Ray> continued_rays(const std::vector<Ray>& rays, const std::vector<Hit>& hits);
 
-/// `first` and `second` are hits a few ulps apart of the same ray, on neighbours in a mesh that exact arithmetic passes
-/// once: not both are strictly met, and the surface does not turn back between them as at a silhouette, where a ray
-/// that is moved by a rounding may pass it three times.
-bool is_double_hit(const Ray& ray, const Corners& first, const Corners& second, const VertexFans& fans);
+/// Triangles `first` and `second` are hits a few ulps apart of the same ray, on one surface that exact arithmetic
+/// passes once: not both are strictly met, and the surface does not turn back between them as at a silhouette, where a
+/// ray that is moved by a rounding may pass it three times.
+bool is_double_hit(const Ray& ray, SceneView scene, u32 first, u32 second, const VertexFans& fans);
 
 /// Judges answers to one list. The verdict on an answer is remembered: techniques that agree cost once.
 class Judge {

@@ -1,11 +1,11 @@
 // Each ray follows from the seed and its own number alone.
 #include "server/accuracy/sweep/ray_lists.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "kernels/shade/spawn.h"
 #include "server/device/outputs.h"
 
 namespace raywalk::accuracy {
@@ -81,10 +81,9 @@ RayList RayMaker::make(RayKind kind, const std::string& spawn) {
     case RayKind::diffuse:
       break;
   }
-#define RW_MAKE_SPAWNED(type, name, help) \
-  if (spawn == name) return spawned<type>(kind);
-  RW_SPAWN_OFFSETS(RW_MAKE_SPAWNED)
-#undef RW_MAKE_SPAWNED
+  const std::vector<KnobRow>& rows = spawn_rows();
+  const auto row = std::ranges::find(rows, spawn, &KnobRow::name);
+  if (row != rows.end()) return spawned(kind, spawn_origin_of(static_cast<u32>(row - rows.begin())));
   throw std::invalid_argument("there is no spawn offset '" + spawn + "'");
 }
 
@@ -122,8 +121,7 @@ const std::vector<RayMaker::Origin>& RayMaker::origins() {
   return origins_;
 }
 
-template <class Spawn>
-RayList RayMaker::spawned(RayKind kind) {
+RayList RayMaker::spawned(RayKind kind, SpawnOrigin origin_at) {
   RayList list{kind, {}, {}};
   if (kind == RayKind::shadow && view_.light_count() == 0) return list;
   for (const Origin& origin : origins()) {
@@ -131,12 +129,12 @@ RayList RayMaker::spawned(RayKind kind) {
     const Surface s = surface_at<0>(view_, origin.hit, origin.d, 0.0f);
     if (kind == RayKind::shadow) {
       const Vec3 lamp = view_.lights()[number / kBlockRays % view_.light_count()].position;
-      const Vec3 o = Spawn::origin(s, lamp - s.position);
+      const Vec3 o = origin_at(s, lamp - s.position);
       list.rays.push_back({o, 0.0f, lamp - o, 1.0f});
     } else {
       Random random(seed_, kind, number);
       const Vec3 d = bounced(s.front ? s.geometric_normal : -s.geometric_normal, random);
-      list.rays.push_back({Spawn::origin(s, d), 0.0f, d, kMaxFloat});
+      list.rays.push_back({origin_at(s, d), 0.0f, d, kMaxFloat});
     }
     list.own.push_back(origin.hit.id);
   }

@@ -6,6 +6,7 @@
 
 #include "server/accuracy/sweep/spec.h"
 #include "server/device/device.h"
+#include "server/device/knobs.h"
 
 namespace raywalk::accuracy {
 
@@ -43,8 +44,7 @@ class RayMaker {
   std::vector<Ray> primary(u64 rays) const;
   std::vector<Origin> hits_of(const std::vector<Ray>& rays) const;
   const std::vector<Origin>& origins();
-  template <class Spawn>
-  RayList spawned(RayKind kind);
+  RayList spawned(RayKind kind, SpawnOrigin origin_at);
   std::vector<Ray> random() const;
   RayList aimed(RayKind kind) const;
 
