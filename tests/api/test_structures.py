@@ -78,24 +78,24 @@ def test_eviction(daemon: Daemon) -> None:
 
 
 def test_what_is_pinned_stays(daemon: Daemon) -> None:
-    daemon.load("city", triangles=2000)
-    daemon.build("city", "bvh")
-    assert daemon.client.put("/v1/structures/city.bvh/pin").status_code == 204
-    assert daemon.json("GET", "/v1/structures/city.bvh", 200)["pinned"]
-    daemon.problem("DELETE", "/v1/structures/city.bvh", 409, "pinned")
-    daemon.problem("DELETE", "/v1/scenes/city", 409, "pinned")  # would take the structure with it
-    daemon.problem("POST", "/v1/scenes", 409, "pinned", json={"name": "city", "triangles": 3000})
-    daemon.load("city", triangles=2000)  # there already
-    assert daemon.client.delete("/v1/structures/city.bvh/pin").status_code == 204
-    assert daemon.client.delete("/v1/structures/city.bvh").status_code == 204
+    daemon.load("organic", triangles=3000)
+    daemon.build("organic", "bvh")
+    assert daemon.client.put("/v1/structures/organic.bvh/pin").status_code == 204
+    assert daemon.json("GET", "/v1/structures/organic.bvh", 200)["pinned"]
+    daemon.problem("DELETE", "/v1/structures/organic.bvh", 409, "pinned")
+    daemon.problem("DELETE", "/v1/scenes/organic", 409, "pinned")  # would take the structure with it
+    daemon.problem("POST", "/v1/scenes", 409, "pinned", json={"name": "organic", "triangles": 4000})
+    daemon.load("organic", triangles=3000)  # there already
+    assert daemon.client.delete("/v1/structures/organic.bvh/pin").status_code == 204
+    assert daemon.client.delete("/v1/structures/organic.bvh").status_code == 204
 
-    assert daemon.client.put("/v1/scenes/city/pin").status_code == 204
-    assert daemon.client.put("/v1/scenes/city/pin").status_code == 204
-    assert daemon.json("GET", "/v1/scenes/city", 200)["pinned"]
-    daemon.problem("DELETE", "/v1/scenes/city", 409, "pinned")
-    assert daemon.client.delete("/v1/scenes/city/pin").status_code == 204
-    assert not daemon.json("GET", "/v1/scenes/city", 200)["pinned"]
-    assert daemon.client.delete("/v1/scenes/city").status_code == 204
+    assert daemon.client.put("/v1/scenes/organic/pin").status_code == 204
+    assert daemon.client.put("/v1/scenes/organic/pin").status_code == 204
+    assert daemon.json("GET", "/v1/scenes/organic", 200)["pinned"]
+    daemon.problem("DELETE", "/v1/scenes/organic", 409, "pinned")
+    assert daemon.client.delete("/v1/scenes/organic/pin").status_code == 204
+    assert not daemon.json("GET", "/v1/scenes/organic", 200)["pinned"]
+    assert daemon.client.delete("/v1/scenes/organic").status_code == 204
 
 
 def test_a_pinned_upload_is_not_replaced(daemon: Daemon) -> None:

@@ -1,7 +1,7 @@
 """Prints what the web client must reach: .venv/bin/python tests/measure/web.py [SCENE ...]
 
-Size of the bundle, first paint over loopback, and on the CPU at 512x512 the time from a move of the camera to the first
-image that shows it. A benchmark, not a test: other programs' load counts. Needs a Chromium, as the tests of the pages."""
+Size of the bundle, first paint over loopback, and on the CPU at 512x512 the time from a move of the camera to the
+first image that shows it. A benchmark, not a test: other programs' load counts. Needs a Chromium, as the tests of the pages."""
 
 import gzip
 import re
@@ -39,7 +39,8 @@ def print_bundle() -> None:
             packed = len(gzip.compress(path.read_bytes(), 9))
             sizes[path.suffix] = sizes.get(path.suffix, 0) + min(packed, path.stat().st_size)
     code = sum(size for suffix, size in sizes.items() if suffix != ".webp")
-    print(f"bundle: {code / 1e3:.1f} kB compressed (goal at most 150), {sizes.get('.webp', 0) / 1e3:.1f} kB of pictures")
+    pictures = sizes.get(".webp", 0)
+    print(f"bundle: {code / 1e3:.1f} kB compressed (goal at most 150), {pictures / 1e3:.1f} kB of pictures")
 
 
 def print_first_paint(browser: Browser, base: str) -> None:

@@ -56,6 +56,18 @@ def test_pages_by_keyboard(visit: Visit) -> None:
     expect(visit.page).to_have_title("Compare · Raywalk")
 
 
+def test_the_skip_link_and_the_way_back(visit: Visit) -> None:
+    visit.preview(structure="grid", traversal="dda")
+    visit.page.keyboard.press("Tab")
+    visit.page.keyboard.press("Enter")
+    expect(visit.page.locator("main")).to_be_focused()
+    visit.page.get_by_role("link", name="Machine").click()
+    expect(visit.page).to_have_title("Machine · Raywalk")
+    visit.page.get_by_role("link", name="Preview", exact=True).click()
+    visit.await_full()
+    expect(visit.page.get_by_label("Structure")).to_have_value("grid")  # as it was left
+
+
 def test_two_fingers_zoom(browser: Browser, daemon: Daemon) -> None:
     visit = opened(browser, daemon, "preview", has_touch=True, viewport={"width": 400, "height": 800})
     before, frames = visit.image(), visit.frames()

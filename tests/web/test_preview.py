@@ -158,3 +158,27 @@ def test_a_refused_token_is_asked_for(visit: Visit) -> None:
     visit.await_full()
     assert None in seen
     expect(field).to_have_count(0)
+
+
+def test_a_busy_device_is_said(visit: Visit) -> None:
+    visit.preview()
+
+    def late(route) -> None:
+        visit.page.wait_for_timeout(2500)
+        route.continue_()
+
+    visit.page.route("**/v1/frames", late, times=1)
+    visit.page.get_by_label("Show").select_option("depth")
+    expect(visit.page.get_by_text("Waiting for the device")).to_be_visible()
+    expect(visit.page.get_by_text("Waiting for the device")).to_have_count(0)
+
+
+def test_an_overloaded_daemon_is_asked_again(visit: Visit) -> None:
+    visit.preview()
+    frames = visit.frames()
+    problem = '{"status":503,"code":"queue_full","detail":"The device is busy.","retryable":true}'
+    busy = {"status": 503, "content_type": "application/problem+json", "body": problem}
+    visit.page.route("**/v1/frames", lambda route: route.fulfill(**busy), times=2)
+    visit.drag(40, 0)
+    visit.await_frames(frames)
+    expect(visit.notice("The device is busy.")).to_have_count(0)

@@ -28,7 +28,7 @@ async function route(): Promise<void> {
   page?.close();
   page = null;
   for (const link of document.querySelectorAll("nav a")) {
-    if (link.getAttribute("href") === `#/${name}`) link.setAttribute("aria-current", "page");
+    if (link.getAttribute("data-page") === name) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
   }
   const entry = PAGES[name];
@@ -42,5 +42,9 @@ async function route(): Promise<void> {
 
 const connection = new Connection(() => page?.recover());
 document.getElementById("top-end")?.append(connection.element, themeSwitch());
+document.querySelector(".skip")?.addEventListener("click", (event) => {
+  event.preventDefault(); // the address is the page's
+  main.focus();
+});
 window.addEventListener("hashchange", () => void route());
 void route();

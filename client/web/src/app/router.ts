@@ -14,7 +14,12 @@ export function addressText(page: string, parameters: Record<string, string>): s
   return `#/${page}${query === "" ? "" : `?${query}`}`;
 }
 
-/** Rewrites the address without a new entry in the history and without an event. */
+/**
+ * Rewrites the address without a new entry in the history and without an event. The page's link leads back to it from
+ * other pages.
+ */
 export function replaceAddress(page: string, parameters: Record<string, string>): void {
-  history.replaceState(null, "", addressText(page, parameters));
+  const text = addressText(page, parameters);
+  history.replaceState(null, "", text);
+  document.querySelector(`nav a[data-page="${page}"]`)?.setAttribute("href", text);
 }

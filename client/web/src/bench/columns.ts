@@ -52,6 +52,14 @@ export function columnsOf(result: BenchmarkResult): Column[] {
       text: (row) => `${figure(row.frame_ms.ci95_low)} – ${figure(row.frame_ms.ci95_high)}`,
     },
     number("p95 ms", "95th percentile", (row) => row.frame_ms.p95),
+    {
+      ...number(
+        "SD ms",
+        "Standard deviation; unstable: the spread over repeats exceeds 3.5 %",
+        (row) => row.frame_ms.sd,
+      ),
+      text: (row) => `${figure(row.frame_ms.sd)}${row.frame_ms.unstable ? " unstable" : ""}`,
+    },
     number("Mrays/s", "All rays of the mode", (row) => row.mrays_per_s),
     number("Paper ms", "The study's mean time: GeForce GTX 280, 1024 × 1024, 400 frames", (row) =>
       paperTime(result, row),

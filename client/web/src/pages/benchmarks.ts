@@ -12,6 +12,7 @@ import { fill, h, put } from "../ui/dom.ts";
 import { dismiss, noticeOf } from "../ui/notice.ts";
 
 const REFRESH_MS = 3000;
+const FOLLOW_AGAIN_MS = 1000;
 
 /** A key of its own for each press of the button: the daemon takes a repeated request for the same job. */
 function newKey(): string {
@@ -23,6 +24,7 @@ class Benchmarks implements Page {
   private readonly left = h("div", { class: "left" });
   private readonly list = h("ul", { class: "jobs" });
   private readonly view = new JobView(() => void this.cancel());
+  private readonly empty = h("p", { class: "hint" }, "Start a benchmark, or choose one of those before.");
   private form: BenchForm | null = null;
   private jobs: Job[] = [];
   private chosen: string;
@@ -33,8 +35,7 @@ class Benchmarks implements Page {
 
   constructor(root: HTMLElement, parameters: URLSearchParams) {
     this.chosen = parameters.get("job") ?? "";
-    const empty = h("p", { class: "hint" }, "Start a benchmark, or choose one of those before.");
-    const right = h("div", { class: "right" }, this.view.element, empty);
+    const right = h("div", { class: "right" }, this.view.element, this.empty);
     put(root, [h("h1", { class: "hidden" }, "Benchmarks"), this.left, right]);
     this.timer = setInterval(() => void this.refresh(), REFRESH_MS);
     void this.start();
@@ -136,9 +137,25 @@ class Benchmarks implements Page {
     this.showList();
     if (id === "") return;
     const { signal } = this.following;
-    followJob(id, (job) => this.showJob(job), signal).catch((error: unknown) => {
+    this.follow(id, signal).catch((error: unknown) => {
       if (!isAbort(error)) noticeOf("bench", error);
     });
+  }
+
+  /** A stream may end before its job, as when the daemon stops in good order. */
+  private async follow(id: string, signal: AbortSignal): Promise<void> {
+    let isOver = false;
+    while (!isOver && !signal.aborted) {
+      await followJob(
+        id,
+        (job) => {
+          isOver = hasEnded(job);
+          this.showJob(job);
+        },
+        signal,
+      );
+      if (!isOver) await new Promise((done) => setTimeout(done, FOLLOW_AGAIN_MS));
+    }
   }
 
   private showJob(job: Job): void {
@@ -146,7 +163,7 @@ class Benchmarks implements Page {
     this.jobs = this.jobs.map((one) => (one.id === job.id ? job : one));
     this.showList();
     this.view.show(job);
-    document.querySelector(".right > .hint")?.remove();
+    this.empty.remove();
     if (this.resultOf !== job.id) {
       this.result?.close();
       this.result = null;

@@ -44,6 +44,7 @@ class Compare implements Page {
   private readonly wiper = h("input", { type: "range", min: 0, max: 100, value: 50, "aria-label": "Wiper" });
   private readonly scenePick = selectField("Scene", [], (name) => this.choose(name));
   private readonly marks = checkField("Mark other triangles", true, () => this.paint());
+  private readonly settings = h("section", { class: "two", "aria-label": "Settings" });
   private sight: Sight = "side";
   private pose: Pose | null = null;
   private first: Pose | null = null;
@@ -62,22 +63,21 @@ class Compare implements Page {
     this.sides = [this.side("a", a), this.side("b", { ...b, scene: a.scene })];
     this.wiper.addEventListener("input", () => this.wipe());
     put(this.images, [...this.sides.map((side) => side.box)]);
-    const settings = h("section", { class: "two", "aria-label": "Settings" });
     put(root, [
       h("h1", { class: "hidden" }, "Compare"),
       this.toolbar(),
-      this.images,
-      this.legend,
+      h("div", {}, this.images, this.legend),
       this.figures.element,
-      settings,
+      this.settings,
     ]);
     this.wipe();
-    void this.start(settings);
+    void this.start();
   }
 
   readdress(): void {} // the page writes its address; it does not follow edits of it
 
   recover(): void {
+    if (this.kinds.length === 0) void this.start();
     for (const side of this.sides) side.stage.again();
   }
 
@@ -145,11 +145,11 @@ class Compare implements Page {
     );
   }
 
-  private async start(settings: HTMLElement): Promise<void> {
+  private async start(): Promise<void> {
     try {
       [this.kinds, this.scenes] = await Promise.all([getKinds(), listScenes()]);
     } catch (error) {
-      noticeOf("compare", error, { label: "Try again", run: () => void this.start(settings) });
+      noticeOf("compare", error, { label: "Try again", run: () => void this.start() });
       return;
     }
     const offered = this.scenes.filter((scene) => scene.available !== false || scene.loaded);
@@ -163,7 +163,7 @@ class Compare implements Page {
         },
         { output: false },
       );
-      put(settings, [h("div", { class: "card" }, h("h2", {}, side.name.toUpperCase()), side.panel.element)]);
+      put(this.settings, [h("div", { class: "card" }, h("h2", {}, side.name.toUpperCase()), side.panel.element)]);
     }
     for (const side of this.sides) this.present(side);
   }

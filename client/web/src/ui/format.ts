@@ -5,6 +5,13 @@ export function count(value: number): string {
   return WHOLE.format(value);
 }
 
+const SHORT = new Intl.NumberFormat("en", { notation: "compact", maximumSignificantDigits: 3 });
+
+/** 1087716 as 1.09M. */
+export function roughly(value: number): string {
+  return SHORT.format(value);
+}
+
 /** Three significant digits, without exponents. */
 export function figure(value: number): string {
   if (!Number.isFinite(value)) return "–";

@@ -1,7 +1,7 @@
 // The list of scenes with a picture of each.
 import type { Scene } from "../api/types.ts";
 import { fill, h } from "./dom.ts";
-import { count } from "./format.ts";
+import { roughly } from "./format.ts";
 
 /** Of the catalogue's scenes, by file. */
 const CATALOGUE = import.meta.glob<string>("../thumbnails/*.webp", { eager: true, query: "?url", import: "default" });
@@ -49,7 +49,7 @@ export function scenePicker(choose: (name: string) => void): ScenePicker {
           "span",
           { class: "scene-text" },
           h("span", { class: "scene-name" }, scene.name),
-          h("span", { class: "scene-facts" }, `${count(scene.triangles)} tri · ${scene.fidelity}`),
+          h("span", { class: "scene-facts" }, `${roughly(scene.triangles)} tri · ${scene.fidelity}`),
         ),
         scene.loaded && h("span", { class: "dot", title: "resident" }, h("span", { class: "hidden" }, "resident")),
       ),

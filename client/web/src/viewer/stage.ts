@@ -37,7 +37,11 @@ export class Stage {
   constructor(subject: string, label: string, events: StageEvents) {
     this.subject = subject;
     this.events = events;
-    this.viewer = new Viewer({ drawn: (frame) => this.drawn(frame), failed: (error) => this.failed(error) });
+    this.viewer = new Viewer({
+      drawn: (frame) => this.drawn(frame),
+      waiting: () => this.say("Waiting for the device …"),
+      failed: (error) => this.failed(error),
+    });
     this.canvas = this.viewer.canvas;
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "application");
@@ -101,6 +105,7 @@ export class Stage {
 
   private drawn(frame: Drawn): void {
     dismiss(`${this.subject}-frame`);
+    this.say("");
     this.canvas.dataset.frames = String(Number(this.canvas.dataset.frames ?? 0) + 1);
     this.canvas.dataset.quality = frame.full ? "full" : "fast";
     this.canvas.dispatchEvent(new CustomEvent("drawn", { detail: frame, bubbles: true }));

@@ -25,10 +25,13 @@ export interface Drawn {
 
 export interface Events {
   drawn(frame: Drawn): void;
+  /** A request is under way for long: the device does something else. */
+  waiting(): void;
   failed(error: unknown): void;
 }
 
 const STILL_MS = 150;
+const LONG_MS = 1500;
 
 export class Viewer {
   readonly canvas = h("canvas", { class: "view", width: 8, height: 8 });
@@ -103,11 +106,13 @@ export class Viewer {
       const full = this.wanted === "full";
       this.wanted = "nothing";
       if (request === null) break;
+      const long = setTimeout(() => this.events.waiting(), LONG_MS);
       try {
         await this.frame(request, full, this.gone.signal);
       } catch (error) {
         if (!isAbort(error)) this.events.failed(error);
       }
+      clearTimeout(long);
     }
     this.busy = false;
   }
