@@ -1,7 +1,7 @@
 """Prints what the web client must reach: .venv/bin/python tests/measure/web.py [SCENE ...]
 
 Size of the bundle, first paint over loopback, and on the CPU at 512x512 the time from a move of the camera to the
-first image that shows it. A benchmark, not a test: other programs' load counts. Needs a Chromium, as the tests of the pages."""
+first image that shows it. A benchmark, not a test: other programs' load counts. Needs a Chromium."""
 
 import gzip
 import re
