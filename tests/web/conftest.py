@@ -18,6 +18,7 @@ WEB = ROOT / "client/web"
 SCENE = "organic"
 TRIANGLES = 3000
 LIMIT_MS = 20_000
+expect.set_options(timeout=LIMIT_MS)
 PAGES = ("preview", "compare", "walkthrough", "benchmarks", "machine")
 
 
@@ -67,6 +68,8 @@ class Visit:
             self.complaints.append(message.text)
 
     def _begin(self, request: Request) -> None:
+        if not request.url.startswith((self.base, "blob:", "about:")):
+            self.complaints.append(f"asked for {request.url}")
         if request.url.endswith("/v1/frames"):
             self.under_way += 1
             self.most_under_way = max(self.most_under_way, self.under_way)

@@ -21,6 +21,8 @@ def test_plays_to_the_end_with_times_of_every_technique(visit: Visit) -> None:
         expect(cells.nth(0)).to_have_text("8")
         assert float(cells.nth(1).inner_text()) > 0
     expect(visit.page.locator(".plot canvas")).to_be_visible()
+    visit.page.get_by_label("Image of").select_option("grid/dda")
+    expect(rows.first.locator("td").first).to_have_text("8")  # the times stay
     assert visit.most_under_way == 1
 
 

@@ -160,8 +160,9 @@ class Benchmarks implements Page {
 
   private showJob(job: Job): void {
     if (job.id !== this.chosen) return;
+    const before = this.jobs.find((one) => one.id === job.id);
     this.jobs = this.jobs.map((one) => (one.id === job.id ? job : one));
-    this.showList();
+    if (before?.state !== job.state) this.showList(); // else it follows by itself
     this.view.show(job);
     this.empty.remove();
     if (this.resultOf !== job.id) {

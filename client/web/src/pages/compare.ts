@@ -6,10 +6,11 @@ import type { OpenPage, Page } from "../app/page.ts";
 import { replaceAddress } from "../app/router.ts";
 import { channelsOf, type Sight, SIGHTS } from "../compare/sights.ts";
 import { compareColours, compareIds } from "../compare/difference.ts";
-import { Figures, type Pixel } from "../compare/figures.ts";
+import { Figures } from "../compare/figures.ts";
 import { heatPixels } from "../compare/heat.ts";
 import { type Measured, measure } from "../compare/measured.ts";
 import { Overlay } from "../compare/overlay.ts";
+import { PixelPicker } from "../compare/pixelPicker.ts";
 import { h, put } from "../ui/dom.ts";
 import { checkField, segments, selectField } from "../ui/fields.ts";
 import { figure } from "../ui/format.ts";
@@ -61,6 +62,10 @@ class Compare implements Page {
     const asked = poseFromParameters(parameters);
     this.pose = asked === "bad" ? null : asked;
     this.sides = [this.side("a", a), this.side("b", { ...b, scene: a.scene })];
+    new PixelPicker(
+      this.sides.map((side) => side.stage.canvas),
+      (pixel) => this.figures.showPixel(pixel, this.sides[0].measured, this.sides[1].measured),
+    );
     this.wiper.addEventListener("input", () => this.wipe());
     put(this.images, [...this.sides.map((side) => side.box)]);
     put(root, [
@@ -112,8 +117,6 @@ class Compare implements Page {
     const overlay = new Overlay();
     stage.element.append(overlay.canvas);
     stage.resize(512);
-    stage.canvas.addEventListener("pointermove", (event) => this.point(stage.canvas, event));
-    stage.canvas.addEventListener("keydown", (event) => this.step(event));
     const box = h("figure", { class: `half ${name}` }, stage.element, h("figcaption", {}, label));
     return { name, look, stage, overlay, input, panel: null, box, isStill: false, measured: null };
   }
@@ -266,38 +269,6 @@ class Compare implements Page {
     const wiping = this.sight === "wiper";
     this.wiper.hidden = !wiping;
     this.sides[1].box.style.clipPath = wiping ? `inset(0 0 0 ${this.wiper.value}%)` : "";
-  }
-
-  private pixel: Pixel | null = null;
-
-  private point(canvas: HTMLCanvasElement, event: PointerEvent): void {
-    const box = canvas.getBoundingClientRect();
-    const at = (share: number, size: number) => Math.max(0, Math.min(size - 1, Math.floor(share * size)));
-    const x = at((event.clientX - box.left) / box.width, canvas.width);
-    this.showPixel({ x, y: at((event.clientY - box.top) / box.height, canvas.height) });
-  }
-
-  /** Alt with an arrow key goes from pixel to pixel. */
-  private step(event: KeyboardEvent): void {
-    const moves: Record<string, [number, number]> = {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, -1],
-      ArrowDown: [0, 1],
-    };
-    const move = moves[event.key];
-    if (!event.altKey || move === undefined) return;
-    event.preventDefault();
-    const { width, height } = this.sides[0].stage.canvas;
-    const from = this.pixel ?? { x: width >> 1, y: height >> 1 };
-    const stride = event.shiftKey ? 10 : 1;
-    const at = (value: number, size: number) => Math.max(0, Math.min(size - 1, value));
-    this.showPixel({ x: at(from.x + stride * move[0], width), y: at(from.y + stride * move[1], height) });
-  }
-
-  private showPixel(pixel: Pixel): void {
-    this.pixel = pixel;
-    this.figures.showPixel(pixel, this.sides[0].measured, this.sides[1].measured);
   }
 
   private writeAddress(): void {
