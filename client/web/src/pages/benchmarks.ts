@@ -161,6 +161,7 @@ class Benchmarks implements Page {
   private showJob(job: Job): void {
     if (job.id !== this.chosen) return;
     const before = this.jobs.find((one) => one.id === job.id);
+    if (before !== undefined && hasEnded(before) && !hasEnded(job)) return; // an answer that was overtaken
     this.jobs = this.jobs.map((one) => (one.id === job.id ? job : one));
     if (before?.state !== job.state) this.showList(); // else it follows by itself
     this.view.show(job);
