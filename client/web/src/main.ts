@@ -47,4 +47,6 @@ document.querySelector(".skip")?.addEventListener("click", (event) => {
   main.focus();
 });
 window.addEventListener("hashchange", () => void route());
-void route();
+// The shell is painted before the page's work begins; nobody waits for a page that is not seen.
+if (document.visibilityState === "hidden") void route();
+else requestAnimationFrame(() => setTimeout(() => void route()));
