@@ -9,6 +9,9 @@ from tests.api.conftest import Daemon
 from tests.web.conftest import PAGES, SCENE, WEB, Visit
 
 AXE = WEB / "node_modules/axe-core/axe.min.js"
+OUTSIDE = """() => [...document.querySelectorAll("main button, main input, main select")]
+  .filter((one) => !one.closest(".scroll, .scenes") && one.getBoundingClientRect().right > 360)
+  .map((one) => one.outerHTML)"""
 READY = {
     "preview": "canvas.view[data-quality=full]",
     "compare": "[data-mismatches]",
@@ -42,6 +45,7 @@ def test_axe_finds_nothing(browser: Browser, daemon: Daemon, name: str, scheme: 
 def test_a_phone_is_wide_enough(browser: Browser, daemon: Daemon, name: str) -> None:
     visit = opened(browser, daemon, name, viewport={"width": 360, "height": 740}, has_touch=True)
     assert visit.page.evaluate("document.documentElement.scrollWidth") <= 360
+    assert visit.page.evaluate(OUTSIDE) == []  # what is cut off without a way to scroll there
     visit.page.context.close()
 
 

@@ -28,8 +28,10 @@ async function route(): Promise<void> {
   page?.close();
   page = null;
   for (const link of document.querySelectorAll("nav a")) {
-    if (link.getAttribute("data-page") === name) link.setAttribute("aria-current", "page");
-    else link.removeAttribute("aria-current");
+    if (link.getAttribute("data-page") === name) {
+      link.setAttribute("aria-current", "page");
+      link.scrollIntoView({ block: "nearest", inline: "center" }); // on a phone not all fit
+    } else link.removeAttribute("aria-current");
   }
   const entry = PAGES[name];
   document.title = `${entry?.title} · Raywalk`;
