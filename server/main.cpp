@@ -105,7 +105,8 @@ int run(const Flags& flags) {
 
   const http::Contract contract(http::embedded_contract());
   api::Metrics metrics;
-  const http::ServerConfig config{.host = flags.host, .port = flags.port, .upload_dir = upload_dir};
+  const http::ServerConfig config{
+      .host = flags.host, .port = flags.port, .upload_dir = upload_dir, .site = http::embedded_site()};
   api::Services services{contract, config.limits, machine,    flags.device, devices.no_cuda, devices.warnings,
                          queue,    scenes,        structures, jobs,         store,           metrics};
   http::Server server(config, http::Router(contract, api::routes(services)),

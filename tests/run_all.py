@@ -126,6 +126,22 @@ def python_tests(marker: str) -> Counts:
         return counts_of(report, 0 if exit_code == none_selected else exit_code)
 
 
+def web_client() -> Counts:
+    """Format and unit tests of the pages; types were checked by the build. Their tests in a browser are pytest's."""
+    web = ROOT / "client/web"
+    try:
+        node = (web / "node_modules/raywalk-node").read_text().strip()
+    except OSError as error:
+        print(f"run ./run setup: {error}")
+        return Counts(failed=1)
+    places = [web / name for name in ("src", "tests", "index.html", "build.mjs", "test.mjs")]
+    formatted = check(node, web / "node_modules/prettier/bin/prettier.cjs", "--check", "--log-level=warn", *places)
+    with tempfile.TemporaryDirectory() as scratch:
+        report = Path(scratch) / "report.xml"
+        exit_code = run([node, web / "test.mjs", ROOT / "build/web-tests", report])
+        return formatted + counts_of(report, exit_code)
+
+
 def fuzzers() -> Counts:
     return check(PYTHON, "tests/fuzz/run.py")
 
@@ -137,6 +153,7 @@ PLAIN: list[Stage] = [
     ("ruff", ruff),
     ("build", lambda: build("release")),
     ("GPU kernels compile, as their table says", gpu_kernels),
+    ("format and unit tests of the web client", web_client),
     ("C++ tests", lambda: cpp_tests("release", "-*Slow*")),
     ("Python tests", lambda: python_tests("not slow")),
 ]

@@ -82,6 +82,7 @@ def place_documents(bundle: Path, libraries: list[Path]) -> None:
     folder = bundle / "share/doc/licences"
     licences.collect((path for path in libraries if not path.is_relative_to(OPENIMAGEIO)), folder)
     shutil.copyfile(HERE / "cpp-httplib.txt", folder / "cpp-httplib.txt")
+    shutil.copyfile(ROOT / "client/web/node_modules/uplot/LICENSE", folder / "uplot.txt")
     for text in sorted((OPENIMAGEIO / "licences").iterdir()):
         shutil.copyfile(text, folder / f"OpenImageIO-{text.name}")
 

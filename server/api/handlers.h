@@ -19,12 +19,16 @@ Response load_scene(Services&, const Request&);
 Response get_scene(Services&, const Request&);
 Response upload_scene(Services&, const Request&);
 Response delete_scene(Services&, const Request&);
+Response pin_scene(Services&, const Request&);
+Response unpin_scene(Services&, const Request&);
 Response list_cameras(Services&, const Request&);
 
 Response list_structures(Services&, const Request&);
 Response build_structure(Services&, const Request&);
 Response get_structure(Services&, const Request&);
 Response delete_structure(Services&, const Request&);
+Response pin_structure(Services&, const Request&);
+Response unpin_structure(Services&, const Request&);
 
 Response render_frame(Services&, const Request&);
 Response trace_rays(Services&, const Request&);

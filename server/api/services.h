@@ -8,6 +8,7 @@
 
 #include "server/api/frame_pool.h"
 #include "server/api/metrics.h"
+#include "server/catalog/pins.h"
 #include "server/catalog/scenes.h"
 #include "server/catalog/structures.h"
 #include "server/device/device_queue.h"
@@ -33,6 +34,7 @@ struct Services {
   Metrics& metrics;
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
   FramePool frames = {};
+  Pins pins = {};
   std::mutex large_frame = {};  // one frame of many pixels is in memory at a time
 };
 

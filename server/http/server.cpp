@@ -118,6 +118,12 @@ struct Server::Impl {
     request.path = in.path;
     request.headers = lower_case_headers(in.headers);
     check_before_routing(in);
+    if (in.method == "GET" || in.method == "HEAD") {
+      if (std::optional<Response> page = site_response(config.site, request)) {
+        route = "/";
+        return std::move(*page);
+      }
+    }
     Router::Match match = router.find(in.method, in.path);
     const Operation& operation = *match.entry->operation;
     route = operation.pattern;
@@ -185,7 +191,7 @@ struct Server::Impl {
             sink.done();
             return true;
           });
-    } else if (response.status != 204) {
+    } else if (response.status != 204 && response.status != 304) {
       out.set_content(std::move(response.body), response.content_type);
     }
   }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "server/http/router.h"
+#include "server/http/site.h"
 
 namespace raywalk::http {
 
@@ -20,8 +21,9 @@ struct ServerConfig {
   std::string host = "127.0.0.1";
   int port = 0;  // 0 = any free one
   Limits limits = {};
-  std::filesystem::path upload_dir;  // holds uploads while they are read; of this server alone
-  int threads = 256;                 // a connection holds one while it is open
+  std::filesystem::path upload_dir;     // holds uploads while they are read; of this server alone
+  int threads = 256;                    // a connection holds one while it is open
+  std::span<const SiteFile> site = {};  // pages beside the contract's paths
 };
 
 /// One answered request, for metrics. `route` is the pattern, or empty when nothing matched.

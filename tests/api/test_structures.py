@@ -4,7 +4,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from tests.api.conftest import Daemon, pointers
+from tests.api.conftest import Daemon, ply, pointers
 
 
 def test_build_has_figures(daemon: Daemon, soup: str) -> None:
@@ -75,3 +75,41 @@ def test_eviction(daemon: Daemon) -> None:
     daemon.build("organic", "bvh")
     assert daemon.client.delete("/v1/scenes/organic").status_code == 204
     daemon.problem("GET", "/v1/structures/organic.bvh", 404, "unknown_structure")
+
+
+def test_what_is_pinned_stays(daemon: Daemon) -> None:
+    daemon.load("organic", triangles=3000)
+    daemon.build("organic", "bvh")
+    assert daemon.client.put("/v1/structures/organic.bvh/pin").status_code == 204
+    assert daemon.json("GET", "/v1/structures/organic.bvh", 200)["pinned"]
+    daemon.problem("DELETE", "/v1/structures/organic.bvh", 409, "pinned")
+    daemon.problem("DELETE", "/v1/scenes/organic", 409, "pinned")  # would take the structure with it
+    daemon.problem("POST", "/v1/scenes", 409, "pinned", json={"name": "organic", "triangles": 4000})
+    daemon.load("organic", triangles=3000)  # there already
+    assert daemon.client.delete("/v1/structures/organic.bvh/pin").status_code == 204
+    assert daemon.client.delete("/v1/structures/organic.bvh").status_code == 204
+
+    assert daemon.client.put("/v1/scenes/organic/pin").status_code == 204
+    assert daemon.client.put("/v1/scenes/organic/pin").status_code == 204
+    assert daemon.json("GET", "/v1/scenes/organic", 200)["pinned"]
+    daemon.problem("DELETE", "/v1/scenes/organic", 409, "pinned")
+    assert daemon.client.delete("/v1/scenes/organic/pin").status_code == 204
+    assert not daemon.json("GET", "/v1/scenes/organic", 200)["pinned"]
+    assert daemon.client.delete("/v1/scenes/organic").status_code == 204
+
+
+def test_a_pinned_upload_is_not_replaced(daemon: Daemon) -> None:
+    headers = {"Content-Type": "application/octet-stream"}
+    assert daemon.client.put("/v1/scenes/kept", content=ply(2), headers=headers).status_code == 201
+    assert daemon.client.put("/v1/scenes/kept/pin").status_code == 204
+    daemon.problem("PUT", "/v1/scenes/kept", 409, "pinned", content=ply(3), headers=headers)
+    assert daemon.json("GET", "/v1/scenes/kept", 200)["triangles"] == 2
+    assert daemon.client.delete("/v1/scenes/kept/pin").status_code == 204
+    assert daemon.client.delete("/v1/scenes/kept").status_code == 204
+
+
+def test_what_is_not_there_cannot_be_pinned(daemon: Daemon) -> None:
+    daemon.problem("PUT", "/v1/scenes/nowhere/pin", 404, "unknown_scene")
+    daemon.problem("PUT", "/v1/scenes/dragon/pin", 409, "scene_not_loaded")
+    daemon.problem("PUT", "/v1/structures/soup.nothing/pin", 404, "unknown_structure")
+    daemon.problem("DELETE", "/v1/scenes/nowhere/pin", 404, "unknown_scene")

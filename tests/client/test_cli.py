@@ -132,6 +132,16 @@ def test_render_a_pose(raywalk, ready, tmp_path) -> None:
     assert (ready.sent()["output"], ready.sent()["tier"]) == ("steps", "fast")
 
 
+def test_render_with_up_and_options(raywalk, ready, tmp_path) -> None:
+    words = ["--eye=-1,0,2", "--target=0,0,0", "--up=0,0,1", "--kernel", "intersector=exact,spawn=none"]
+    assert raywalk("render", "bunny", "--out", tmp_path / "f.png", *words).exit_code == 0
+    assert ready.sent()["camera"] == {"eye": [-1, 0, 2], "target": [0, 0, 0], "up": [0, 0, 1]}
+    assert ready.sent()["kernel"] == {"intersector": "exact", "spawn": "none"}
+    assert raywalk("render", "bunny", "--out", tmp_path / "f.png", "-o", "bins=8").exit_code == 0
+    builds = [json.loads(request.content) for request in ready.requests if request.url.path == "/v1/structures"]
+    assert builds[-1]["options"] == {"bins": 8}
+
+
 @pytest.mark.parametrize(
     "words",
     [
@@ -141,6 +151,8 @@ def test_render_a_pose(raywalk, ready, tmp_path) -> None:
         ["--eye", "0,0,1"],
         ["--eye", "0,1", "--target", "0,0,0"],
         ["--fov", "9"],
+        ["--up", "0,0,1"],
+        ["--kernel", "exact"],
         ["--mode", "path"],
         ["--tier", "auto"],
         ["--frame", "1", "--eye", "0,0,1", "--target", "0,0,0"],

@@ -86,6 +86,12 @@ class Client:
     def delete_scene(self, scene: str) -> None:
         self._transfer.send("DELETE", f"/v1/scenes/{part(scene)}", again=False)
 
+    def pin_scene(self, scene: str) -> None:
+        self._transfer.send("PUT", f"/v1/scenes/{part(scene)}/pin")
+
+    def unpin_scene(self, scene: str) -> None:
+        self._transfer.send("DELETE", f"/v1/scenes/{part(scene)}/pin")
+
     def list_cameras(self, scene: str, frames: int = 400) -> list[models.CameraPose]:
         path = f"/v1/scenes/{part(scene)}/cameras"
         return self._read(models.CameraList, "GET", path, params={"frames": frames}).cameras
@@ -103,6 +109,12 @@ class Client:
 
     def delete_structure(self, structure: str) -> None:
         self._transfer.send("DELETE", f"/v1/structures/{part(structure)}", again=False)
+
+    def pin_structure(self, structure: str) -> None:
+        self._transfer.send("PUT", f"/v1/structures/{part(structure)}/pin")
+
+    def unpin_structure(self, structure: str) -> None:
+        self._transfer.send("DELETE", f"/v1/structures/{part(structure)}/pin")
 
     # Frames and rays
     def render_frame(self, request: models.FrameRequest, accept: str = "image/jpeg") -> Frame:

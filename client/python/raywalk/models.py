@@ -326,6 +326,10 @@ class Structure(BaseModel):
     """
     sah_cost: float | None = None
     build_ms: float | None = None
+    pinned: bool | None = None
+    """
+    It is not evicted; absent in results.
+    """
 
 
 class StructureList(BaseModel):
@@ -926,6 +930,10 @@ class Scene(BaseModel):
     frames: int | None = None
     """
     Frames of its walkthrough.
+    """
+    pinned: bool | None = None
+    """
+    It is not evicted; absent in results.
     """
     cameras: list[NamedCamera] | None = None
     """

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from raywalk.cli.session import connected, size, technique, vector, writable_file, writable_folder
+from raywalk.cli.session import connected, options, size, technique, vector, words, writable_file, writable_folder
 from raywalk.client import Client
 from raywalk.errors import RaywalkError
 from raywalk.follow import built
@@ -49,7 +49,7 @@ Point = typer.Option(metavar="X,Y,Z")
 
 
 def camera_of(
-    frame: int | None, of: int, eye: str | None, target: str | None, fov: float | None
+    frame: int | None, of: int, eye: str | None, target: str | None, up: str | None, fov: float | None
 ) -> CameraPose | PathFrame:
     if (eye is None) != (target is None):
         raise typer.BadParameter("--eye and --target go together")
@@ -58,10 +58,10 @@ def camera_of(
     if eye is not None and target is not None:
         if frame is not None:
             raise typer.BadParameter("give either --frame or --eye and --target")
-        pose = {"eye": vector(eye), "target": vector(target)}
+        pose = {"eye": vector(eye), "target": vector(target)} | ({} if up is None else {"up": vector(up)})
         return CameraPose.model_validate(pose | ({} if fov is None else {"vertical_fov_deg": fov}))
-    if fov is not None:
-        raise typer.BadParameter("--fov needs --eye and --target")
+    if fov is not None or up is not None:
+        raise typer.BadParameter("--fov and --up need --eye and --target")
     return PathFrame(frame=frame or 0, of=of)
 
 
@@ -72,12 +72,12 @@ def named_camera(scene: SceneDocument, name: str) -> CameraPose:
     return cameras[name]
 
 
-def prepared(client: Client, scene: str, kind: str) -> None:
-    """Loads the scene and builds the structure."""
+def prepared(client: Client, scene: str, kind: str, build: dict[str, float | str] | None = None) -> str:
+    """Loads the scene and builds the structure; its id."""
     with bar(f"loading {scene}") as progress:
         client.load_scene(scene)
         progress.update(0, what=f"building {kind}")
-        built(client, scene, kind)
+        return built(client, scene, kind, build).id
 
 
 def render(
@@ -85,11 +85,14 @@ def render(
     scene: Scene,
     out: Annotated[Path, typer.Option(help=f"File; its suffix says how: {' '.join(SUFFIXES)}.")] = Path("frame.png"),
     structure: Structure = "bvh",
+    option: Annotated[list[str] | None, typer.Option("-o", "--option", help="Build option name=value.")] = None,
     traversal: Traversal = "while-while",
+    kernel: Annotated[str | None, typer.Option(metavar="NAME=VALUE,...", help="Options of the kernel.")] = None,
     frame: Annotated[int | None, typer.Option(min=0, help="Frame of the walkthrough.")] = None,
     of: Annotated[int, typer.Option(min=1, help="Frames that the walkthrough is cut into.")] = 400,
     eye: Annotated[str | None, Point] = None,
     target: Annotated[str | None, Point] = None,
+    up: Annotated[str | None, typer.Option(metavar="X,Y,Z", help="What is up; 0,1,0 when absent.")] = None,
     fov: Annotated[float | None, typer.Option(help="Full vertical field of view in degrees.")] = None,
     camera: Annotated[str | None, typer.Option(help="A view that the scene's file names.")] = None,
     size_: Annotated[str, typer.Option("--size", help="Pixels.", metavar="WxH")] = "512x512",
@@ -106,14 +109,16 @@ def render(
     width, height = size(size_)
     if camera is not None and (eye is not None or target is not None or frame is not None):
         raise typer.BadParameter("give one of --camera, --frame, and --eye with --target")
-    view = camera_of(frame, of, eye, target, fov)
+    view = camera_of(frame, of, eye, target, up, fov)
+    build, knobs = options(option), options(words(kernel or ""), "intersector=watertight")
     writable_file(out)
     with connected(context) as client:
-        prepared(client, scene, structure)
+        built_id = prepared(client, scene, structure, build)
         request = FrameRequest(
             scene=scene,
-            structure=structure,
+            structure=built_id if build else structure,
             traversal=traversal,
+            kernel=knobs,
             camera=view if camera is None else named_camera(client.get_scene(scene), camera),
             width=width,
             height=height,

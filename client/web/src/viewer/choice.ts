@@ -1,0 +1,83 @@
+// What a viewer is asked to show: a scene, a technique and its settings.
+import type { Kind, Mode, Options, Output } from "../api/types.ts";
+
+export interface Look {
+  scene: string;
+  structure: string; // kind
+  build: Options; // of the structure
+  traversal: string;
+  kernel: Options; // of the traversal
+  tier: "strict" | "fast";
+  mode: Mode;
+  depth: number;
+  output: Output;
+}
+
+export const MODES: Mode[] = ["primary", "shadow", "whitted"];
+export const OUTPUTS: Output[] = ["color", "depth", "normal", "id", "steps"];
+
+export const DEFAULT_LOOK: Look = {
+  scene: "bunny",
+  structure: "bvh",
+  build: {},
+  traversal: "while-while",
+  kernel: {},
+  tier: "strict",
+  mode: "shadow",
+  depth: 2,
+  output: "color",
+};
+
+/** Traversals that shade frames; bare loops only bound what is possible. */
+export function traversalsOf(kinds: Kind[], structure: string): string[] {
+  const kind = kinds.find((known) => known.name === structure);
+  return (kind?.traversals ?? []).filter((traversal) => !traversal.baseline).map((traversal) => traversal.name);
+}
+
+/** The look with names that the daemon knows: others fall back to the first that fits. */
+export function known(look: Look, kinds: Kind[]): Look {
+  const structure = kinds.some((kind) => kind.name === look.structure) ? look.structure : (kinds[0]?.name ?? "bvh");
+  const traversals = traversalsOf(kinds, structure);
+  const traversal = traversals.includes(look.traversal) ? look.traversal : (traversals[0] ?? "");
+  return { ...look, structure, traversal };
+}
+
+/** Parameters of an address; what is as by default is left out. */
+export function lookToParameters(look: Look, prefix = ""): Record<string, string> {
+  const parameters: Record<string, string> = {};
+  for (const name of ["scene", "structure", "traversal", "tier", "mode", "depth", "output"] as const) {
+    const isNeeded = name === "scene" || look[name] !== DEFAULT_LOOK[name];
+    if (isNeeded) parameters[prefix + name] = String(look[name]);
+  }
+  for (const name of ["build", "kernel"] as const) {
+    if (Object.keys(look[name]).length > 0) parameters[prefix + name] = JSON.stringify(look[name]);
+  }
+  return parameters;
+}
+
+function optionsFrom(text: string | null): Options {
+  try {
+    const value: unknown = JSON.parse(text ?? "{}");
+    if (typeof value !== "object" || value === null || Array.isArray(value)) return {};
+    const entries = Object.entries(value).filter(([, v]) => typeof v === "number" || typeof v === "string");
+    return Object.fromEntries(entries) as Options;
+  } catch {
+    return {};
+  }
+}
+
+export function lookFromParameters(parameters: URLSearchParams, prefix = ""): Look {
+  const text = (name: keyof Look) => parameters.get(prefix + name);
+  const depth = Number(text("depth") ?? DEFAULT_LOOK.depth);
+  return {
+    scene: text("scene") ?? DEFAULT_LOOK.scene,
+    structure: text("structure") ?? DEFAULT_LOOK.structure,
+    traversal: text("traversal") ?? DEFAULT_LOOK.traversal,
+    build: optionsFrom(text("build")),
+    kernel: optionsFrom(text("kernel")),
+    tier: text("tier") === "fast" ? "fast" : "strict",
+    mode: MODES.find((mode) => mode === text("mode")) ?? DEFAULT_LOOK.mode,
+    depth: Number.isInteger(depth) && depth >= 0 && depth <= 16 ? depth : DEFAULT_LOOK.depth,
+    output: OUTPUTS.find((output) => output === text("output")) ?? DEFAULT_LOOK.output,
+  };
+}
