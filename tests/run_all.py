@@ -6,6 +6,7 @@ all checks: "N passed, N failed, N skipped". The exit code is 1 when anything fa
 
 import argparse
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -185,6 +186,8 @@ def run_stages(stages: list[Stage]) -> Counts:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--slow", action="store_true", help="run what the plain tests leave out for its time")
+    # A job in a shell's background ignores SIGINT, and so would the programs whose answer to it is tested.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     total = run_stages(SLOW if parser.parse_args().slow else PLAIN)
     print(total)
     return 1 if total.failed else 0
