@@ -65,8 +65,9 @@ class Machine implements Page {
 
   private showSystem(system: System): void {
     const { machine, device } = system;
-    const reasons = [...(device.no_cuda === null ? [] : [`No GPU is used: ${device.no_cuda}`]), ...system.warnings];
-    const texts = [...new Set(reasons)];
+    const reason = device.no_cuda;
+    const isSaid = reason === null || system.warnings.some((warning) => warning.includes(reason));
+    const texts = isSaid ? system.warnings : [`No GPU is used: ${reason}`, ...system.warnings];
     fill(this.warnings, texts.length > 0 && h("ul", { class: "warnings" }, ...texts.map((text) => h("li", {}, text))));
     this.warnings.hidden = texts.length === 0;
     const { total_bytes, free_bytes, resident_bytes } = device.memory;
