@@ -23,6 +23,8 @@ constexpr float kMaxFloat = 3.402823466e+38f;
 
 /// Whether code is compiled for the features of one scene, or once for all scenes.
 constexpr bool kCompiledForScene = RW_GPU != 0;
+/// A GPU selects among registers; a CPU reads by address, since it would predict the branches of a selection wrongly.
+constexpr bool kReadsByAddress = RW_GPU == 0;
 
 // Contraction is off on both sides; a fused multiply-add happens exactly where it is written.
 #if RW_GPU
@@ -106,17 +108,6 @@ RW_FN double larger(double a, double b) {
 }
 RW_FN bool is_finite(float a) {
   return (bits_of(a) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// The first, second or third of three numbers in a row. A GPU selects among registers; a CPU reads by address, since
-/// it would predict the branches of a selection wrongly.
-template <class T>
-RW_FN T one_of_three(const T* first, u32 place) {
-#if RW_GPU
-  return place == 0 ? first[0] : place == 1 ? first[1] : first[2];
-#else
-  return first[place];
-#endif
 }
 
 }  // namespace raywalk

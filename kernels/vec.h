@@ -6,7 +6,10 @@ namespace raywalk {
 
 struct Vec3 {
   float x, y, z;
-  RW_FN float operator[](u32 axis) const { return one_of_three(&x, axis); }
+  RW_FN float operator[](u32 axis) const {
+    if constexpr (kReadsByAddress) return (&x)[axis];
+    return axis == 0 ? x : axis == 1 ? y : z;
+  }
 };
 
 RW_FN Vec3 operator+(Vec3 a, Vec3 b) {

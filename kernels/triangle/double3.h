@@ -7,7 +7,10 @@ namespace raywalk {
 
 struct Double3 {
   double x, y, z;
-  RW_FN double operator[](u32 axis) const { return one_of_three(&x, axis); }
+  RW_FN double operator[](u32 axis) const {
+    if constexpr (kReadsByAddress) return (&x)[axis];
+    return axis == 0 ? x : axis == 1 ? y : z;
+  }
 };
 
 RW_FN Double3 to_double(Vec3 a) {
