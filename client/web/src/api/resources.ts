@@ -14,8 +14,12 @@ export const getScene = (name: string, signal?: AbortSignal) =>
 export const loadScene = (name: string, signal?: AbortSignal) =>
   json<Scene>("POST", "/v1/scenes", { json: { name }, signal });
 export const evictScene = (name: string) => call("DELETE", `/v1/scenes/${part(name)}`);
-export const listCameras = async (scene: string, frames: number) =>
+const listCameras = async (scene: string, frames: number) =>
   (await json<{ cameras: CameraPose[] }>("GET", `/v1/scenes/${part(scene)}/cameras?frames=${frames}`)).cameras;
+/** Whether it can be shown: its data are there, or it is resident already. */
+export const isOffered = (scene: Scene) => scene.available !== false || scene.loaded;
+/** Where its walkthrough begins. */
+export const firstCamera = async (scene: Scene) => scene.cameras?.[0]?.pose ?? (await listCameras(scene.name, 1))[0];
 
 export const listStructures = async () => (await json<{ structures: Structure[] }>("GET", "/v1/structures")).structures;
 export const getStructure = (id: string, signal?: AbortSignal) =>

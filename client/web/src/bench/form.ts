@@ -1,4 +1,5 @@
 // The form that starts a benchmark.
+import { isOffered } from "../api/resources.ts";
 import type { BenchmarkSpec, Kind, Scene } from "../api/types.ts";
 import { techniquesOf } from "../techniques.ts";
 import { h } from "../ui/dom.ts";
@@ -16,7 +17,7 @@ export interface BenchForm {
 }
 
 export function benchForm(scenes: Scene[], kinds: Kind[], submit: (spec: BenchmarkSpec) => void): BenchForm {
-  const offered = scenes.filter((scene) => scene.available !== false || scene.loaded);
+  const offered = scenes.filter(isOffered);
   const scene = selectField(
     "Scene",
     offered.map(({ name }) => ({ value: name, label: name })),

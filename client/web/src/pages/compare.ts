@@ -1,6 +1,6 @@
 // Compare: two techniques or settings under one camera, and what they differ in.
 import { isAbort } from "../api/errors.ts";
-import { getKinds, listCameras, listScenes } from "../api/resources.ts";
+import { firstCamera, getKinds, isOffered, listScenes } from "../api/resources.ts";
 import type { Kind, Scene } from "../api/types.ts";
 import type { OpenPage, Page } from "../app/page.ts";
 import { replaceAddress } from "../app/router.ts";
@@ -155,7 +155,7 @@ class Compare implements Page {
       noticeOf("compare", error, { label: "Try again", run: () => void this.start() });
       return;
     }
-    const offered = this.scenes.filter((scene) => scene.available !== false || scene.loaded);
+    const offered = this.scenes.filter(isOffered);
     this.scenePick.offer(offered.map((scene) => ({ value: scene.name, label: scene.name })));
     for (const side of this.sides) {
       side.panel = lookPanel(
@@ -196,7 +196,7 @@ class Compare implements Page {
   private async loaded(scene: Scene): Promise<void> {
     this.extent = extentOf(scene);
     if (this.first === null) {
-      const start = scene.cameras?.[0]?.pose ?? (await listCameras(scene.name, 1))[0];
+      const start = await firstCamera(scene);
       this.first ??= start === undefined ? null : poseOf(start);
     }
     if (this.pose === null || !isUsable(this.pose, this.extent)) this.pose = this.first;

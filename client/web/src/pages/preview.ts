@@ -1,6 +1,6 @@
 // Preview: one scene, one technique, a camera that moves.
 import { EXR, fetchImage, PNG } from "../api/frames.ts";
-import { getKinds, listCameras, listScenes } from "../api/resources.ts";
+import { firstCamera, getKinds, listScenes } from "../api/resources.ts";
 import type { Kind, Scene } from "../api/types.ts";
 import type { OpenPage, Page } from "../app/page.ts";
 import { addressText, replaceAddress } from "../app/router.ts";
@@ -159,7 +159,7 @@ class Preview implements Page {
       : [...this.scenes, scene];
     this.picker.show(this.scenes, scene.name);
     this.extent = extentOf(scene);
-    const start = scene.cameras?.[0]?.pose ?? (await listCameras(scene.name, 1))[0];
+    const start = await firstCamera(scene);
     this.first = start === undefined ? null : poseOf(start);
     const asked = this.asked;
     this.asked = null;

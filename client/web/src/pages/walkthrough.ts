@@ -1,6 +1,6 @@
 // Walkthrough: the scene's path, frame by frame, and what each technique takes for it.
 import { Problem } from "../api/errors.ts";
-import { getKinds, listScenes } from "../api/resources.ts";
+import { getKinds, isOffered, listScenes } from "../api/resources.ts";
 import type { Mode, Scene } from "../api/types.ts";
 import type { OpenPage, Page } from "../app/page.ts";
 import { replaceAddress } from "../app/router.ts";
@@ -117,7 +117,7 @@ class Walkthrough implements Page {
   private async start(): Promise<void> {
     try {
       const [kinds, scenes] = await Promise.all([getKinds(), listScenes()]);
-      this.scenes = scenes.filter((scene) => scene.available !== false || scene.loaded);
+      this.scenes = scenes.filter(isOffered);
       this.all = techniquesOf(kinds);
     } catch (error) {
       noticeOf("walkthrough", error, { label: "Try again", run: () => void this.start() });
