@@ -54,6 +54,7 @@ void critical_angle(Exam& exam) {
     }
   }
   const std::vector<Hit> hits = exam.closest(structure, incoming);
+  const SpawnOrigin origin_at = spawn_origin_of(exam.technique());
   std::vector<Ray> outgoing;
   for (std::size_t i = 0; i < incoming.size(); ++i) {
     if (hits[i].id == kMiss) {
@@ -65,7 +66,7 @@ void critical_angle(Exam& exam) {
     if (!refracted(normalized(incoming[i].d), surface.normal, 1.5f, d)) d = reflected(incoming[i].d, surface.normal);
     if (!is_finite(d) || std::abs(length(d) - 1.0f) > 1e-5f)
       exam.fail([&] { return Failure{"no unit direction behind the surface", incoming[i]}; });
-    outgoing.push_back({spawn_origin(exam.technique(), surface, d), 0.0f, d, kFarAway});
+    outgoing.push_back({origin_at(surface, d), 0.0f, d, kFarAway});
   }
   misses(exam, scene, outgoing);
 }
@@ -82,6 +83,7 @@ void terminator(Exam& exam) {
   for (u32 i = 0; i < exam.count(50'000); ++i)
     primary.push_back(ray_towards(random.direction() * 6.0f, random.direction()));
   const std::vector<Hit> hits = exam.closest(structure, primary);
+  const SpawnOrigin origin_at = spawn_origin_of(exam.technique());
   std::vector<u8> lit;
   for (std::size_t i = 0; i < primary.size(); ++i) {
     if (hits[i].id == kMiss) continue;
@@ -89,7 +91,7 @@ void terminator(Exam& exam) {
     const float facing = dot(surface.geometric_normal, light);
     // What the smooth normal calls lit beyond the terminator lies in the sphere's own shadow.
     if (std::abs(facing) < 1e-4f || dot(normalized(surface.position), light) < 0.0f) continue;
-    shadow.push_back({spawn_origin(exam.technique(), surface, light), 0.0f, light, kMaxFloat});
+    shadow.push_back({origin_at(surface, light), 0.0f, light, kMaxFloat});
     lit.push_back(facing > 0.0f ? 1 : 0);
   }
   const std::vector<u8> dark = exam.occluded(structure, shadow);

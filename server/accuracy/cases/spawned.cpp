@@ -6,7 +6,6 @@
 #include "server/accuracy/cases/hex.h"
 #include "server/accuracy/cases/spawned.h"
 #include "server/accuracy/cases/trial.h"
-#include "server/device/knobs.h"
 
 namespace raywalk::accuracy {
 namespace {
@@ -33,6 +32,7 @@ void spawn_many(Exam& exam, const SceneBlob& scene, u64 count, Random random, Ch
   constexpr u32 kEach = 16;
   const StructureRef structure = exam.build(scene);
   const Mesh mesh = mesh_of(scene);
+  const SpawnOrigin origin_at = spawn_origin_of(exam.technique());
   for (u64 done = 0; done < count;) {
     const u32 now = static_cast<u32>(std::min<u64>(kBatch / kEach, (count - done + kEach - 1) / kEach));
     const std::vector<Ray> primary = primary_rays(mesh, now, random);
@@ -46,7 +46,7 @@ void spawn_many(Exam& exam, const SceneBlob& scene, u64 count, Random random, Ch
       const Surface surface = surface_at<0>({scene->data()}, hits[i], primary[i].d, 0.0f);
       for (u32 k = 0; k < kEach; ++k) {
         const Vec3 d = random.direction();
-        rays.push_back({spawn_origin(exam.technique(), surface, d), 0.0f, d, kMaxFloat});
+        rays.push_back({origin_at(surface, d), 0.0f, d, kMaxFloat});
         from.push_back(hits[i].id);
       }
     }
@@ -76,8 +76,8 @@ Mesh coarse_sphere(float radius) {
 
 }  // namespace
 
-Vec3 spawn_origin(const Technique& technique, const Surface& surface, Vec3 d) {
-  return spawn_origin_of(knobs_of(technique.kernel).spawn)(surface, d);
+SpawnOrigin spawn_origin_of(const Technique& technique) {
+  return raywalk::spawn_origin_of(knobs_of(technique.kernel).spawn);
 }
 
 void spawned_at_all_sizes(Exam& exam) {
@@ -114,6 +114,7 @@ void close_shells(Exam& exam) {
 void seen_from_afar(Exam& exam) {
   const SceneBlob& scene = exam.store().get("rectangle", [] { return scene_of(quad_grid(1)); });
   const StructureRef structure = exam.build(scene);
+  const SpawnOrigin origin_at = spawn_origin_of(exam.technique());
   const Vec3 light{0.3f, 0.2f, 2.0f};
   for (int k = 0; k <= 7; ++k) {
     Random random = exam.random(static_cast<u32>(k));
@@ -127,7 +128,7 @@ void seen_from_afar(Exam& exam) {
     for (std::size_t i = 0; i < primary.size(); ++i) {
       if (hits[i].id == kMiss) continue;  // from 1e7 away the last bit of the direction is as wide as the rectangle
       const Surface surface = surface_at<0>({scene->data()}, hits[i], primary[i].d, 0.0f);
-      const Vec3 origin = spawn_origin(exam.technique(), surface, light - surface.position);
+      const Vec3 origin = origin_at(surface, light - surface.position);
       shadow.push_back({origin, 0.0f, light - origin, 1.0f});
     }
     const std::vector<u8> dark = exam.occluded(structure, shadow);

@@ -1,11 +1,11 @@
 // Where a technique lets rays start that leave a surface.
 #pragma once
-#include "kernels/shade/surface.h"
 #include "server/accuracy/cases/hard_cases.h"
+#include "server/device/knobs.h"
 
 namespace raywalk::accuracy {
 
 /// By the technique's knob `spawn`, the default one where it has none.
-Vec3 spawn_origin(const Technique& technique, const Surface& surface, Vec3 d);
+SpawnOrigin spawn_origin_of(const Technique& technique);
 
 }  // namespace raywalk::accuracy
