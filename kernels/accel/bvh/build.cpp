@@ -114,7 +114,8 @@ class Packer {
     return 1 + left + count(node.child[1], node.box[1], depth + 1);
   }
 
-  Child pack(Child c, std::span<Node> nodes) { return pack_padded(c, nodes).child; }
+  /// The root of no triangles is a leaf that names one: there is none to look at.
+  Child pack(Child c, std::span<Node> nodes) { return references_.empty() ? c : pack_padded(c, nodes).child; }
 
  private:
   struct Packed {
