@@ -22,8 +22,8 @@ void takes_bounded_memory(Exam& exam, const std::string& name, const StructureRe
   if (bytes > limit) exam.fail(name + ": " + std::to_string(bytes) + " bytes, more than " + std::to_string(limit));
 }
 
-Mesh stretched_soup(Vec3 by) {
-  Mesh mesh = random_soup(1, 5000, 0.1f);
+Mesh stretched_soup(u32 triangles, Vec3 by) {
+  Mesh mesh = random_soup(1, triangles, 0.1f);
   for (Corners& t : mesh)
     for (Vec3* p : {&t.a, &t.b, &t.c}) *p = *p * by;
   return mesh;
@@ -130,7 +130,7 @@ void steps_of_a_walk(Exam& exam) {
 void stretched_scenes(Exam& exam) {
   for (const Vec3 by : {Vec3{1, 1, 1e6f}, Vec3{1e6f, 1, 1}, Vec3{1, 1e6f, 1e3f}}) {
     const Trial& trial = *exam.store().get("stretched by " + text_of(by.x) + text_of(by.y), [&] {
-      const Mesh mesh = stretched_soup(by);
+      const Mesh mesh = stretched_soup(1000, by);
       return make_trial("stretched", mesh, rays_at(mesh, exam.count(300), 2.0f, exam.random(1)));
     });
     takes_bounded_memory(exam, trial.name, exam.build(trial.scene), trial.mesh.size());
@@ -151,7 +151,7 @@ void node_formats(Exam& exam) {
   if (nodes == nullptr) return exam.does_not_apply("its nodes have one format");
   const std::pair<const char*, Mesh> scenes[] = {{"sphere", icosphere(4, 2.0f)},
                                                  {"far sphere", transformed(icosphere(3), 1.0f, {1e4f, -1e4f, 5e3f})},
-                                                 {"stretched", stretched_soup({1, 1, 1e6f})},
+                                                 {"stretched", stretched_soup(5000, {1, 1, 1e6f})},
                                                  {"box", subdivided_box(16)}};
   for (const auto& [name, mesh] : scenes) {
     const Trial& trial = *exam.store().get(name, [&, &shape = mesh] {

@@ -1,6 +1,8 @@
 // Compares answers with the oracle, with brute force and with each other.
 #include "server/accuracy/cases/trial.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -121,7 +123,9 @@ std::shared_ptr<const Trial> make_trial(std::string name, const Mesh& mesh, std:
   std::erase_if(rays, [](const Ray& ray) { return !is_valid(ray); });
   trial->rays = std::move(rays);
   trial->oracle = std::make_unique<oracle::SceneOracle>(SceneView{trial->scene->data()});
-  for (const Ray& ray : trial->rays) trial->answers.push_back(trial->oracle->closest(ray));
+  trial->answers.resize(trial->rays.size());
+  tbb::parallel_for(std::size_t{0}, trial->rays.size(),
+                    [&](std::size_t i) { trial->answers[i] = trial->oracle->closest(trial->rays[i]); });
   return trial;
 }
 
@@ -130,6 +134,12 @@ void judge(Exam& exam, const Trial& trial, const OptionValues& options) {
   const std::vector<Hit> hits = exam.closest(structure, trial.rays);
   const std::vector<u8> flags = exam.occluded(structure, trial.rays);
   exam.add_rays(trial.rays.size());
+  std::vector<oracle::Verdict> verdicts(hits.size(), oracle::Verdict::right);
+  tbb::parallel_for(std::size_t{0}, hits.size(), [&](std::size_t i) {
+    const oracle::Answer& answer = trial.answers[i];
+    if (answer.ray_class == oracle::RayClass::strict && answer.hit.id == hits[i].id) return;
+    verdicts[i] = trial.oracle->judge(trial.rays[i], hits[i]).verdict;
+  });
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const oracle::Answer& answer = trial.answers[i];
     if ((hits[i].id != kMiss) != (flags[i] != 0)) {
@@ -139,9 +149,8 @@ void judge(Exam& exam, const Trial& trial, const OptionValues& options) {
       });
       continue;
     }
-    if (answer.ray_class == oracle::RayClass::strict && answer.hit.id == hits[i].id) continue;
-    const oracle::Verdict verdict = trial.oracle->judge(trial.rays[i], hits[i]).verdict;
-    if (!oracle::is_acceptable(verdict)) exam.fail([&] { return wrong_verdict(exam, trial, i, hits[i], verdict); });
+    if (!oracle::is_acceptable(verdicts[i]))
+      exam.fail([&] { return wrong_verdict(exam, trial, i, hits[i], verdicts[i]); });
   }
 }
 

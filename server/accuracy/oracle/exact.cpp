@@ -2,6 +2,7 @@
 #include "server/accuracy/oracle/exact.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <optional>
 
@@ -188,8 +189,9 @@ int compare_distance(const Ray& ray, const Corners& triangle, float bound) {
 }
 
 double ulp_at(double t) {
-  const int exponent = t == 0.0 ? -126 : std::max(std::ilogb(t), -126);
-  return std::ldexp(1.0, exponent - 23);
+  constexpr u64 kBias = 1023;
+  const u64 exponent = std::bit_cast<u64>(std::abs(t)) >> 52;
+  return std::bit_cast<double>((std::max(exponent, kBias - 126) - 23) << 52);
 }
 
 }  // namespace raywalk::oracle

@@ -43,7 +43,7 @@ class TileRunner {
 
  private:
   static constexpr u32 kTileSide = 4 * kBlockSide;
-  static constexpr u64 kPieceRays = 16 * kBlockRays;
+  static constexpr u64 kPieceRays = 4 * kBlockRays;
 
   template <class Work>
   void over_range(u64 count, u64 grain, Work work) {
