@@ -23,17 +23,27 @@ RW_FN u32 block_y(u32 i) {
   return block_x(i >> 1);
 }
 
+constexpr u32 kAllLights = ~0u;
+
 struct FrameArgs {
   Camera camera;
   u32 width, height;
   Mode mode;
-  u32 depth;  // bounces of secondary rays in Mode::whitted
+  u32 depth;   // bounces of secondary rays in Mode::whitted
+  u32 lights;  // so many of the scene's shine, the first ones; kAllLights: all
 };
 
 /// Frames of one GPU launch, alike but for their cameras. Passed by value, it lies in constant memory.
 struct FrameBatch {
   static constexpr u32 kMax = 16;
-  FrameArgs frames[kMax];
+  FrameArgs alike;
+  Camera cameras[kMax];
+
+  RW_FN FrameArgs frame(u32 i) const {
+    FrameArgs args = alike;
+    args.camera = cameras[i];
+    return args;
+  }
 };
 
 }  // namespace raywalk

@@ -21,7 +21,7 @@ RW_FN const Counts& counts_of(const TracerT& tracer) {
 /// Adds the work of all rays of a frame's pixels to `sum`.
 RW_KERNEL
 count_frame(const u8* scene, const u8* structure, const __grid_constant__ FrameBatch batch, Counts* sum) {
-  FrameArgs args = batch.frames[0];
+  FrameArgs args = batch.frame(0);
   args.mode = Mode{RW_MODE};
   const Pixel pixel = pixel_of(args, thread_number());
   Vec3 color;

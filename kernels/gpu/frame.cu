@@ -6,7 +6,7 @@ using namespace raywalk;
 
 RW_KERNEL
 frame(const u8* scene, const u8* structure, const __grid_constant__ FrameBatch batch, Vec3* pixels) {
-  FrameArgs args = batch.frames[blockIdx.y];
+  FrameArgs args = batch.frame(blockIdx.y);
   args.mode = Mode{RW_MODE};  // known to the compiler
   const Pixel pixel = pixel_of(args, thread_number());
   Vec3 color;

@@ -7,7 +7,7 @@ using namespace raywalk;
 /// blockIdx.y is the frame of the batch.
 RW_KERNEL
 primary_rays(const __grid_constant__ FrameBatch batch, u64 rays_per_frame, Ray* rays) {
-  const FrameArgs& args = batch.frames[blockIdx.y];
+  const FrameArgs args = batch.frame(blockIdx.y);
   const u64 thread = thread_number();
   if (thread >= rays_per_frame) return;
   const Pixel pixel = pixel_of(args, thread);

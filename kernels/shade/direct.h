@@ -6,10 +6,10 @@
 
 namespace raywalk {
 
-/// Lights that the features allow.
+/// How many lights shine, when `asked` are asked for.
 template <u32 kFeatures>
-RW_FN u32 lights_of(SceneView scene) {
-  return (kFeatures & kFeatureManyLights) ? scene.light_count() : smaller(scene.light_count(), 1u);
+RW_FN u32 lights_of(SceneView scene, u32 asked) {
+  return smaller(scene.light_count(), (kFeatures & kFeatureManyLights) ? asked : smaller(asked, 1u));
 }
 
 /// The local model's terms at a surface.
@@ -30,15 +30,15 @@ RW_FN Vec3 unlit(SceneView scene, u32 material, Vec3 tint) {
   return ambient + m.emission;
 }
 
-/// What a primary ray of unit direction `d` shows: every lamp shines on everything. `spread` is the width of a pixel at
-/// distance 1.
+/// What a primary ray of unit direction `d` shows: each of the first `lights` lamps shines on everything. `spread` is
+/// the width of a pixel at distance 1.
 template <u32 kFeatures>
-RW_FN Vec3 unshadowed(SceneView scene, const Hit& hit, Vec3 d, float spread) {
+RW_FN Vec3 unshadowed(SceneView scene, const Hit& hit, Vec3 d, float spread, u32 lights) {
   if (hit.id == kMiss) return scene.header().background;
   const Surface s = surface_at<kFeatures>(scene, hit, d, spread * hit.t);
   const PhongTerms terms = phong_terms<kFeatures>(scene, s.material, s.tint);
   Vec3 sum = unlit<kFeatures>(scene, s.material, s.tint);
-  for (u32 l = 0; l < lights_of<kFeatures>(scene); ++l) {
+  for (u32 l = 0; l < lights; ++l) {
     const Light& light = scene.lights()[l];
     sum = sum + phong<(kFeatures & kFeatureSpecular) != 0>(terms, light.intensity, s.normal,
                                                            normalized(light.position - s.position), d);

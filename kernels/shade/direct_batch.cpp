@@ -36,14 +36,14 @@ void surfaces_of(SceneView scene, const HitBatch& batch, SurfaceBatch& surfaces)
   surfaces.normal = normal;
 }
 
-/// Adds up the lamps; `terms_at(i)` are the material's terms for lane i.
+/// Adds up the first `lights` lamps; `terms_at(i)` are the material's terms for lane i.
 template <class TermsAt>
-void light_batch(SceneView scene, const SurfaceBatch& surfaces, const Vec3Batch& directions, TermsAt terms_at,
-                 Vec3Batch& colors) {
+void light_batch(SceneView scene, const SurfaceBatch& surfaces, const Vec3Batch& directions, u32 lights,
+                 TermsAt terms_at, Vec3Batch& colors) {
   const SurfaceBatch s = surfaces;
   const Vec3Batch d = directions;
   Vec3Batch sum = colors;
-  for (u32 l = 0; l < scene.light_count(); ++l) {
+  for (u32 l = 0; l < lights; ++l) {
     const Light light = scene.lights()[l];
     for (u32 i = 0; i < kBatch; ++i) {
       const Vec3 lit = phong<true>(terms_at(i), light.intensity, s.normal.get(i),
@@ -56,7 +56,7 @@ void light_batch(SceneView scene, const SurfaceBatch& surfaces, const Vec3Batch&
 
 }  // namespace
 
-void unshadowed_batch(SceneView scene, const HitBatch& batch, float spread, Vec3Batch& colors) {
+void unshadowed_batch(SceneView scene, const HitBatch& batch, float spread, u32 lights, Vec3Batch& colors) {
   SurfaceBatch surfaces;
   if (scene.header().normals.count != 0) {
     surfaces_of<true>(scene, batch, surfaces);
@@ -70,7 +70,7 @@ void unshadowed_batch(SceneView scene, const HitBatch& batch, float spread, Vec3
     for (u32 i = 0; i < kBatch; ++i) colors.set(i, start);
     const PhongTerms terms = phong_terms<0>(scene, surfaces.material[0], kWhite);
     light_batch(
-        scene, surfaces, batch.d, [&](u32) { return terms; }, colors);
+        scene, surfaces, batch.d, lights, [&](u32) { return terms; }, colors);
     return;
   }
   Vec3Batch diffuse, specular;
@@ -86,7 +86,7 @@ void unshadowed_batch(SceneView scene, const HitBatch& batch, float spread, Vec3
     shininess[i] = terms.shininess;
   }
   light_batch(
-      scene, surfaces, batch.d,
+      scene, surfaces, batch.d, lights,
       [&](u32 i) {
         return PhongTerms{diffuse.get(i), specular.get(i), shininess[i]};
       },

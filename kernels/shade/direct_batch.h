@@ -26,7 +26,7 @@ struct HitBatch {
   Vec3Batch d;
 };
 
-/// colors.get(i) == unshadowed(scene, hit i, d i, spread).
-void unshadowed_batch(SceneView scene, const HitBatch& batch, float spread, Vec3Batch& colors);
+/// colors.get(i) == unshadowed(scene, hit i, d i, spread, lights).
+void unshadowed_batch(SceneView scene, const HitBatch& batch, float spread, u32 lights, Vec3Batch& colors);
 
 }  // namespace raywalk

@@ -30,7 +30,6 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
   constexpr bool kTextured = (kFeatures & kFeatureTextures) != 0;
   const bool colored_shadows = kGlass && args.mode == Mode::whitted &&
                                (kCompiledForScene || (scene.header().features & kFeatureRefraction) != 0);
-  const u32 lights = lights_of<kFeatures>(scene);
 
   Ray rays[kLocal];
   Vec3 weight[kLocal];
@@ -54,8 +53,9 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
   if (args.mode == Mode::primary) {
     Hit hits[kLocal]{};
     tracer.closest(rays, alive, hits);
+    const u32 lights = lights_of<kFeatures>(scene, args.lights);  // late, so that it takes no register of the traversal
     for (u32 i = 0; i < kLocal; ++i)
-      if (alive[i]) color[i] = unshadowed<kFeatures>(scene, hits[i], rays[i].d, spread);
+      if (alive[i]) color[i] = unshadowed<kFeatures>(scene, hits[i], rays[i].d, spread, lights);
     return;
   }
 
@@ -77,6 +77,7 @@ RW_FN void radiance(Tracer& tracer, SceneView scene, const FrameArgs& args, cons
       color[i] = color[i] + weight[i] * unlit<kFeatures>(scene, surfaces[i].material, surfaces[i].tint);
     }
 
+    const u32 lights = lights_of<kFeatures>(scene, args.lights);
     for (u32 l = 0; l < lights; ++l) {
       const Light& light = scene.lights()[l];
       Vec3 contribution[kLocal]{};

@@ -52,6 +52,7 @@ FrameJob make_job(Services& s, const Json& q) {
   job.height = q.at("height");
   job.mode = parse_mode(q.value("mode", Json()));
   job.depth = q.at("depth");
+  job.lights = q.value("lights", kAllLights);
   job.output = parse_output(q.at("output"));
   return job;
 }

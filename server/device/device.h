@@ -53,6 +53,7 @@ struct FrameJob {
   u32 width = 0, height = 0;
   Mode mode = Mode::primary;
   u32 depth = 2;
+  u32 lights = kAllLights;  // so many shine, the first ones
   Output output = Output::color;
   OptionValues kernel = {};  // options of the traversal; absent ones have their defaults
 };

@@ -9,7 +9,7 @@
 namespace raywalk {
 
 FrameArgs frame_args(const FrameJob& job) {
-  return {camera_of(job.camera, job.width, job.height), job.width, job.height, job.mode, job.depth};
+  return {camera_of(job.camera, job.width, job.height), job.width, job.height, job.mode, job.depth, job.lights};
 }
 
 void shape_frame(const FrameJob& job, u32 channels, Frame& frame) {

@@ -72,6 +72,14 @@ def test_outputs(daemon: Daemon, soup: str, output: str, channels: int) -> None:
         assert daemon.frame(soup, "bvh", "while-while", accept, output=output).status_code == 200
 
 
+def test_fewer_lights(daemon: Daemon, soup: str) -> None:
+    plain = raw(daemon, "bvh", "while-while", 3)
+    dark = raw(daemon, "bvh", "while-while", 3, lights=0)
+    assert (dark <= plain).all() and (dark < plain).any()
+    assert (raw(daemon, "embree", "intersect", 3, lights=0) != raw(daemon, "embree", "intersect", 3)).any()
+    assert (raw(daemon, "bvh", "while-while", 3, lights=1_000_000) == plain).all()
+
+
 def test_all_structures_see_the_same_triangles(daemon: Daemon, soup: str) -> None:
     for kind in ("grid", "kdtree"):
         daemon.build(soup, kind)
@@ -99,6 +107,8 @@ def test_structure_by_id_and_camera_forms(daemon: Daemon, soup: str) -> None:
         ({"width": "64"}, 422, "invalid_request", {"/width"}),
         ({"width": 1.5, "height": None}, 422, "invalid_request", {"/width", "/height"}),
         ({"depth": 17}, 422, "invalid_request", {"/depth"}),
+        ({"lights": -1}, 422, "invalid_request", {"/lights"}),
+        ({"lights": 0.5}, 422, "invalid_request", {"/lights"}),
         ({"mode": "trace"}, 422, "invalid_request", {"/mode"}),
         ({"kernel": {"registers": 40}}, 422, "unknown_option", {"/kernel/registers"}),
         ({"kernel": {"registers": [40]}}, 422, "invalid_request", {"/kernel/registers"}),

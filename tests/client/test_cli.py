@@ -137,7 +137,9 @@ def test_render_with_up_and_options(raywalk, ready, tmp_path) -> None:
     assert raywalk("render", "bunny", "--out", tmp_path / "f.png", *words).exit_code == 0
     assert ready.sent()["camera"] == {"eye": [-1, 0, 2], "target": [0, 0, 0], "up": [0, 0, 1]}
     assert ready.sent()["kernel"] == {"intersector": "exact", "spawn": "none"}
-    assert raywalk("render", "bunny", "--out", tmp_path / "f.png", "-o", "bins=8").exit_code == 0
+    assert "lights" not in ready.sent()
+    assert raywalk("render", "bunny", "--out", tmp_path / "f.png", "-o", "bins=8", "--lights", "0").exit_code == 0
+    assert ready.sent()["lights"] == 0
     builds = [json.loads(request.content) for request in ready.requests if request.url.path == "/v1/structures"]
     assert builds[-1]["options"] == {"bins": 8}
 

@@ -109,6 +109,29 @@ TEST_F(CpuDevice, EveryTraversalRendersTheSameFrame) {
   }
 }
 
+TEST_F(CpuDevice, FewerLightsAreTheSceneWithFewerLights) {
+  for (const char* kind : {"bvh", "embree"}) {
+    const auto image = [&](u32 lights_there, u32 lights_asked, Mode mode) {
+      const auto structure =
+          device().build(std::make_shared<const Blob>(test::room({.lights = lights_there})), kind, {});
+      FrameJob job = room_job(structure, kind == std::string("bvh") ? "while-while" : "intersect", mode);
+      job.lights = lights_asked;
+      Frame frame;
+      device().render(job, frame);
+      return frame.pixels;
+    };
+    for (Mode mode : {Mode::primary, Mode::shadow, Mode::whitted}) {
+      const auto three = image(3, kAllLights, mode);
+      EXPECT_TRUE(image(3, 3, mode) == three);
+      for (u32 lights = 0; lights < 3; ++lights) {
+        const auto fewer = image(3, lights, mode);
+        EXPECT_TRUE(fewer == image(lights, kAllLights, mode)) << kind << ", mode " << static_cast<int>(mode);
+        EXPECT_FALSE(fewer == three);
+      }
+    }
+  }
+}
+
 TEST_F(CpuDevice, OutputsFollowFromThePrimaryHits) {
   const SceneBlob scene = std::make_shared<const Blob>(test::room({}));
   for (const Technique& technique : techniques()) {

@@ -58,7 +58,7 @@ TEST(Features, AbsentOnesChangeNoPixel) {
   const Blob plain = test::room({.mirror = false, .glass = false, .specular = false, .lights = 1, .texture = false});
   ASSERT_EQ(plain.header<SceneHeader>().features, 0u);
   const SceneView scene{plain.data()};
-  const FrameArgs args{test::room_camera(24, 16), 24, 16, Mode::whitted, 4};
+  const FrameArgs args{test::room_camera(24, 16), 24, 16, Mode::whitted, 4, kAllLights};
   for (u32 y = 0; y < args.height; ++y) {
     for (u32 x = 0; x < args.width; ++x) {
       const auto run = [&]<u32 kMask>() {
@@ -76,7 +76,7 @@ TEST(Features, AbsentOnesChangeNoPixel) {
 TEST(Features, EachPresentOneChangesTheImage) {
   const Blob rich = test::room({});
   const SceneView scene{rich.data()};
-  const FrameArgs args{test::room_camera(48, 32), 48, 32, Mode::whitted, 4};
+  const FrameArgs args{test::room_camera(48, 32), 48, 32, Mode::whitted, 4, kAllLights};
   const auto image = [&]<u32 kMask>() {
     std::vector<Vec3> pixels;
     for (u32 y = 0; y < args.height; ++y)
@@ -97,7 +97,7 @@ TEST(Features, EachPresentOneChangesTheImage) {
 TEST(Whitted, DepthZeroIsShadowModeWithoutGlass) {
   const Blob rich = test::room({.glass = false});
   const SceneView scene{rich.data()};
-  FrameArgs whitted{test::room_camera(24, 16), 24, 16, Mode::whitted, 0};
+  FrameArgs whitted{test::room_camera(24, 16), 24, 16, Mode::whitted, 0, kAllLights};
   FrameArgs shadow = whitted;
   shadow.mode = Mode::shadow;
   for (u32 y = 0; y < 16; ++y)
@@ -265,10 +265,10 @@ TEST(DirectBatch, IsTheSameAsOneByOne) {
       batch.d.set(i, normalized(Vec3{unit(random) - 0.5f, unit(random) - 0.5f, unit(random) - 0.5f}));
     }
     Vec3Batch colors;
-    unshadowed_batch(scene, batch, kSpread, colors);
+    unshadowed_batch(scene, batch, kSpread, scene.light_count(), colors);
     for (u32 i = 0; i < kBatch; ++i) {
       const Hit hit{batch.t[i], batch.id[i], batch.u[i], batch.v[i]};
-      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(scene, hit, batch.d.get(i), kSpread));
+      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(scene, hit, batch.d.get(i), kSpread, scene.light_count()));
     }
   }
 }

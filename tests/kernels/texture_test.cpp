@@ -218,10 +218,10 @@ TEST(DirectBatch, IsTheSameAsOneByOneWithTextures) {
       batch.d.set(i, random.direction());
     }
     Vec3Batch colors;
-    unshadowed_batch(view, batch, kSpread, colors);
+    unshadowed_batch(view, batch, kSpread, view.light_count(), colors);
     for (u32 i = 0; i < kBatch; ++i) {
       const Hit hit{batch.t[i], batch.id[i], batch.u[i], batch.v[i]};
-      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(view, hit, batch.d.get(i), kSpread));
+      ASSERT_EQ(colors.get(i), unshadowed<kAllFeatures>(view, hit, batch.d.get(i), kSpread, view.light_count()));
     }
   }
 }

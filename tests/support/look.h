@@ -9,7 +9,7 @@ namespace raywalk::test {
 
 /// One pixel that looks from `eye` exactly at `target`.
 inline FrameArgs towards(Vec3 eye, Vec3 target, Mode mode, u32 depth = 0) {
-  return {{eye, target - eye, {0, 0, 0}, {0, 0, 0}}, 1, 1, mode, depth};
+  return {{eye, target - eye, {0, 0, 0}, {0, 0, 0}}, 1, 1, mode, depth, kAllLights};
 }
 
 template <u32 kFeatures = kAllFeatures, class TracerT>

@@ -76,6 +76,21 @@ def test_structure_and_output(visit: Visit) -> None:
     assert visit.image() != image
 
 
+def test_lights(visit: Visit) -> None:
+    visit.preview(mode="primary")
+    image, frames = visit.image(), visit.frames()
+    lights = visit.page.get_by_label("Lights")
+    expect(lights).to_have_value("all")
+    lights.select_option("0")
+    visit.await_frames(frames)
+    assert visit.image() != image
+    visit.page.wait_for_function("() => location.hash.includes('lights=0')")
+    frames = visit.frames()
+    lights.select_option("all")
+    visit.await_frames(frames)
+    assert visit.image() == image
+
+
 def test_timing_is_shown(visit: Visit) -> None:
     visit.preview()
     text = visit.page.get_by_label("Timing").inner_text()

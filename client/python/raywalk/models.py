@@ -419,6 +419,10 @@ class FrameRequest(BaseModel):
     """
     Bounces of secondary rays in mode whitted.
     """
+    lights: Annotated[int | None, Field(ge=0, le=1000000)] = None
+    """
+    So many of the scene's lights shine, the first ones; all when absent.
+    """
     kernel: dict[str, float | str] | None = None
     """
     Options of the traversal's kernel.

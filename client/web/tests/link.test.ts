@@ -35,11 +35,12 @@ test("a look comes back; what is not known falls back", () => {
     scene: "robots",
     structure: "grid",
     depth: 5,
+    lights: 1,
     kernel: { spawn: "none" },
     build: { density: 3 },
   };
   assert.deepEqual(lookFromParameters(new URLSearchParams(lookToParameters(look, "a.")), "a."), look);
-  const odd = new URLSearchParams("depth=99&mode=paths&output=smell&kernel={&build=[1]&tier=none");
+  const odd = new URLSearchParams("depth=99&lights=-1&mode=paths&output=smell&kernel={&build=[1]&tier=none");
   assert.deepEqual(lookFromParameters(odd), DEFAULT_LOOK);
 });
 
@@ -59,9 +60,9 @@ test("a command quotes what a shell would take apart", () => {
     kernel: { slab: "plain" },
     build: { bins: 8 },
   };
-  const command = renderCommand(look, POSE, 64, 48, "http://127.0.0.1:7979");
+  const command = renderCommand({ ...look, lights: 0 }, POSE, 64, 48, "http://127.0.0.1:7979");
   assert.ok(
     command.includes(`render 'a b'\\''s' --structure bvh -o bins=8 --traversal while-while --kernel slab=plain`),
   );
-  assert.ok(command.includes("--eye=0.100000001,-2,") && command.includes("--size 64x48 --mode whitted --depth 2"));
+  assert.ok(command.includes("--eye=0.100000001,-2,") && command.includes("--size 64x48 --mode whitted --depth 2 --lights 0"));
 });

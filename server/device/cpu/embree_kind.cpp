@@ -120,10 +120,11 @@ void primary_block(SceneView scene, RTCScene handle, const FrameArgs& args, Tile
   }
   const Vec3 background = scene.header().background;
   const float spread = spread_of(args.camera);
+  const u32 lights = lights_of<kAllFeatures>(scene, args.lights);
   for (u32 lane = 0; lane < kBlockRays; lane += kBatch) {
     const auto& packet = packets[lane / N];
     Vec3Batch colors;
-    embree::shade<N>(scene, packet, lane % N, spread, colors);
+    embree::shade<N>(scene, packet, lane % N, spread, lights, colors);
     for (u32 i = 0; i < kBatch; ++i) {
       if (!valid[lane / N][lane % N + i]) continue;
       const bool hit = packet.hit.geomID[lane % N + i] != RTC_INVALID_GEOMETRY_ID;

@@ -39,7 +39,8 @@ void fill_primary(typename Packet<N>::RayHits& packet, int* valid, const Camera&
 }
 
 template <u32 N>
-bool shade(SceneView scene, const typename Packet<N>::RayHits& packet, u32 first, float spread, Vec3Batch& colors) {
+bool shade(SceneView scene, const typename Packet<N>::RayHits& packet, u32 first, float spread, u32 lights,
+           Vec3Batch& colors) {
   u32 some = N;  // lanes that missed are shaded as copies of this one, since a vector has all lanes anyway
   for (u32 i = first + kBatch; i-- > first;)
     if (packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) some = i;
@@ -55,13 +56,13 @@ bool shade(SceneView scene, const typename Packet<N>::RayHits& packet, u32 first
   std::copy_n(packet.ray.dir_x + first, kBatch, batch.d.x);
   std::copy_n(packet.ray.dir_y + first, kBatch, batch.d.y);
   std::copy_n(packet.ray.dir_z + first, kBatch, batch.d.z);
-  unshadowed_batch(scene, batch, spread, colors);
+  unshadowed_batch(scene, batch, spread, lights, colors);
   return true;
 }
 
 template void fill_primary<8>(RTCRayHit8&, int*, const Camera&, u32, u32, u32, const Tile&);
 template void fill_primary<16>(RTCRayHit16&, int*, const Camera&, u32, u32, u32, const Tile&);
-template bool shade<8>(SceneView, const RTCRayHit8&, u32, float, Vec3Batch&);
-template bool shade<16>(SceneView, const RTCRayHit16&, u32, float, Vec3Batch&);
+template bool shade<8>(SceneView, const RTCRayHit8&, u32, float, u32, Vec3Batch&);
+template bool shade<16>(SceneView, const RTCRayHit16&, u32, float, u32, Vec3Batch&);
 
 }  // namespace raywalk::embree

@@ -50,7 +50,8 @@ void fill_primary(typename Packet<N>::RayHits& packet, int* valid, const Camera&
 
 /// Colours of lanes first.. first + 7 as `unshadowed` has them; false when none of them is a hit.
 template <u32 N>
-bool shade(SceneView scene, const typename Packet<N>::RayHits& packet, u32 first, float spread, Vec3Batch& colors);
+bool shade(SceneView scene, const typename Packet<N>::RayHits& packet, u32 first, float spread, u32 lights,
+           Vec3Batch& colors);
 
 struct RayCount {
   u64 rays = 0;

@@ -18,8 +18,8 @@ u32 blocks_for(u64 threads, u32 block) {
 }
 
 FrameBatch batch_of(std::span<const FrameJob> jobs) {
-  FrameBatch batch{};
-  std::transform(jobs.begin(), jobs.end(), batch.frames, frame_args);
+  FrameBatch batch{frame_args(jobs.front()), {}};
+  std::ranges::transform(jobs, batch.cameras, [](const FrameJob& job) { return frame_args(job).camera; });
   return batch;
 }
 
@@ -37,7 +37,8 @@ void check_batch(std::span<const FrameJob> jobs) {
   const FrameJob& a = jobs.front();
   for (const FrameJob& b : jobs) {
     const bool alike = a.structure == b.structure && a.traversal == b.traversal && a.width == b.width &&
-                       a.height == b.height && a.mode == b.mode && a.depth == b.depth && a.kernel == b.kernel;
+                       a.height == b.height && a.mode == b.mode && a.depth == b.depth && a.lights == b.lights &&
+                       a.kernel == b.kernel;
     if (!alike) throw std::invalid_argument("the frames of a batch differ in their cameras alone");
   }
 }

@@ -98,6 +98,7 @@ def render(
     size_: Annotated[str, typer.Option("--size", help="Pixels.", metavar="WxH")] = "512x512",
     mode: ModeOption = Mode.PRIMARY,
     depth: Depth = 2,
+    lights: Annotated[int | None, typer.Option(min=0, help="So many lights, the first ones; all when absent.")] = None,
     output: OutputOption = Output.COLOR,
     tier: Annotated[Tier, typer.Option(help="Accuracy of the kernel: strict, or fast with up to 1 ppm of errors.")] = (
         Tier.STRICT
@@ -124,6 +125,7 @@ def render(
             height=height,
             mode=mode.value,
             depth=depth,
+            lights=lights,
             output=output.value,
             tier=tier.value,
         )

@@ -10,6 +10,7 @@ export interface Look {
   tier: "strict" | "fast";
   mode: Mode;
   depth: number;
+  lights: number | null; // so many shine, the first ones; null: all
   output: Output;
 }
 
@@ -25,6 +26,7 @@ export const DEFAULT_LOOK: Look = {
   tier: "strict",
   mode: "shadow",
   depth: 2,
+  lights: null,
   output: "color",
 };
 
@@ -45,7 +47,7 @@ export function known(look: Look, kinds: Kind[]): Look {
 /** Parameters of an address; what is as by default is left out. */
 export function lookToParameters(look: Look, prefix = ""): Record<string, string> {
   const parameters: Record<string, string> = {};
-  for (const name of ["scene", "structure", "traversal", "tier", "mode", "depth", "output"] as const) {
+  for (const name of ["scene", "structure", "traversal", "tier", "mode", "depth", "lights", "output"] as const) {
     const isNeeded = name === "scene" || look[name] !== DEFAULT_LOOK[name];
     if (isNeeded) parameters[prefix + name] = String(look[name]);
   }
@@ -66,9 +68,13 @@ function optionsFrom(text: string | null): Options {
   }
 }
 
+function countFrom(text: string | null): number | null {
+  return text !== null && /^\d{1,6}$/.test(text) ? Number(text) : null;
+}
+
 export function lookFromParameters(parameters: URLSearchParams, prefix = ""): Look {
   const text = (name: keyof Look) => parameters.get(prefix + name);
-  const depth = Number(text("depth") ?? DEFAULT_LOOK.depth);
+  const depth = countFrom(text("depth"));
   return {
     scene: text("scene") ?? DEFAULT_LOOK.scene,
     structure: text("structure") ?? DEFAULT_LOOK.structure,
@@ -77,7 +83,8 @@ export function lookFromParameters(parameters: URLSearchParams, prefix = ""): Lo
     kernel: optionsFrom(text("kernel")),
     tier: text("tier") === "fast" ? "fast" : "strict",
     mode: MODES.find((mode) => mode === text("mode")) ?? DEFAULT_LOOK.mode,
-    depth: Number.isInteger(depth) && depth >= 0 && depth <= 16 ? depth : DEFAULT_LOOK.depth,
+    depth: depth !== null && depth <= 16 ? depth : DEFAULT_LOOK.depth,
+    lights: countFrom(text("lights")),
     output: OUTPUTS.find((output) => output === text("output")) ?? DEFAULT_LOOK.output,
   };
 }

@@ -18,6 +18,7 @@ export function renderCommand(look: Look, pose: Pose, width: number, height: num
   words.push(`--eye=${vectorText(pose.eye)}`, `--target=${vectorText(pose.target)}`, `--up=${vectorText(pose.up)}`);
   words.push("--fov", String(pose.fovDeg), "--size", `${width}x${height}`, "--mode", look.mode);
   if (look.mode === "whitted") words.push("--depth", String(look.depth));
+  if (look.lights !== null) words.push("--lights", String(look.lights));
   if (look.output !== "color") words.push("--output", look.output);
   words.push("--tier", look.tier, "--out", `${look.scene}.png`);
   return words.map(quoted).join(" ");

@@ -1,8 +1,7 @@
 // Controls of a look: structure, traversal, their options, and what is shaded.
 import type { Kind, Scene } from "../api/types.ts";
 import { fill, h } from "../ui/dom.ts";
-import { numberField, selectField } from "../ui/fields.ts";
-import { plural } from "../ui/format.ts";
+import { type Choice, numberField, selectField } from "../ui/fields.ts";
 import { optionFields } from "../ui/optionFields.ts";
 import { known, type Look, MODES, OUTPUTS, traversalsOf } from "./choice.ts";
 
@@ -19,6 +18,15 @@ export interface LookPanel {
   element: HTMLElement;
   /** Shows a look; `change` is not called. */
   show(look: Look, scene: Scene | undefined): void;
+}
+
+const ALL = "all";
+
+/** How many of a scene's lights may shine. */
+function lightChoices(count: number): Choice[] {
+  const fewer = Array.from({ length: count }, (_, at) => count - 1 - at);
+  const named = fewer.map((lights) => ({ value: String(lights), label: lights === 0 ? "none" : `first ${lights}` }));
+  return [{ value: ALL, label: count > 0 ? `all ${count}` : "none" }, ...named];
 }
 
 /** `parts` leaves controls out that a page has no use for. */
@@ -46,16 +54,15 @@ export function lookPanel(
   const output = selectField("Show", named(OUTPUTS, OUTPUT_NAMES), (value) =>
     update({ output: value as Look["output"] }),
   );
-  const lights = h("p", { class: "hint" });
+  const lights = selectField("Lights", [], (value) => update({ lights: value === ALL ? null : Number(value) }));
   const build = h("div");
   const kernel = h("div");
 
   const element = h(
     "div",
     { class: "panel" },
-    h("div", { class: "fields" }, structure.element, traversal.element, mode.element, depth.element, tier.element),
+    h("div", { class: "fields" }, structure.element, traversal.element, mode.element, depth.element, lights.element, tier.element),
     parts.output ? h("div", { class: "fields" }, output.element) : null,
-    lights,
     build,
     kernel,
   );
@@ -80,7 +87,8 @@ export function lookPanel(
       depth.element.hidden = look.mode !== "whitted";
       tier.set(look.tier);
       output.set(look.output);
-      lights.textContent = scene === undefined ? "" : `${plural(scene.lights, "light")} in this scene`;
+      lights.offer(lightChoices(scene?.lights ?? 0));
+      lights.set(look.lights === null || look.lights >= (scene?.lights ?? 0) ? ALL : String(look.lights));
       fill(
         build,
         optionFields("Build options", kind?.options ?? [], look.build, (value) => update({ build: value })),

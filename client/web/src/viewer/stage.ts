@@ -68,7 +68,8 @@ export class Stage {
       this.say("");
       dismiss(this.subject);
       const { scene: name, traversal, kernel, tier, mode, depth, output } = look;
-      this.viewer.show({ scene: name, structure: structure.id, traversal, kernel, tier, mode, depth, output });
+      const lights = look.lights === null ? {} : { lights: look.lights };
+      this.viewer.show({ scene: name, structure: structure.id, traversal, kernel, tier, mode, depth, output, ...lights });
     } catch (error) {
       if (isAbort(error) || signal.aborted) return;
       this.say("Nothing to show.");
