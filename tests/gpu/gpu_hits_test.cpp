@@ -127,6 +127,23 @@ TEST_F(GpuHits, FramesAreTheSameWithFewestAndWithAllFeatures) {
   }
 }
 
+TEST_F(GpuHits, FewerLightsAreTheSceneWithFewerLights) {
+  for (const TraversalType& type : traversal_types()) {
+    for (const Mode mode : {Mode::primary, Mode::shadow, Mode::whitted}) {
+      const auto image = [&](u32 lights_there, u32 lights_asked) {
+        FrameJob job = on(gpu(), std::make_shared<const Blob>(test::room({.lights = lights_there})), type, mode);
+        job.lights = lights_asked;
+        Frame frame;
+        gpu().render(job, frame);
+        return frame.pixels;
+      };
+      for (const u32 lights : {0u, 1u, 3u})
+        EXPECT_EQ(image(3, lights), image(lights, kAllLights)) << name_of(type) << ", " << lights << " lights";
+      EXPECT_NE(image(3, 0), image(3, kAllLights)) << name_of(type);
+    }
+  }
+}
+
 TEST_F(GpuHits, OptionsOfTheKernelChangeNoHit) {
   const SceneBlob scene = std::make_shared<const Blob>(test::room({}));
   for (const TraversalType& type : traversal_types()) {
