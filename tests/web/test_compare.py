@@ -37,6 +37,21 @@ def test_a_changed_knob_is_seen(compared: Visit) -> None:
     expect(compared.page.locator(".legend")).to_contain_text("levels of 255")
 
 
+def test_another_link_is_followed(compared: Visit) -> None:
+    link = f"#/compare?a.scene={SCENE}&a.lights=0&b.structure=grid&b.traversal=dda"
+    compared.page.evaluate("link => { location.hash = link; }", link)
+    expect(compared.page.locator("figcaption").nth(1)).to_have_text("B: grid/dda")
+    figures = compared.page.get_by_label("Figures")
+    expect(figures).to_have_attribute("data-changed", re.compile(r"[1-9]\d*"), timeout=LIMIT_MS)
+    await_figures(compared, "0")
+
+
+def test_a_camera_at_infinity_is_refused(visit: Visit) -> None:
+    visit.open("compare", **{"a.scene": SCENE, "eye": "1e999,0,0", "target": "0,0,0"})
+    visit.await_full()
+    expect(visit.notice("cannot be used")).to_be_visible()
+
+
 def test_heat_maps_and_the_figures_of_a_pixel(compared: Visit) -> None:
     for sight in ("Steps", "Tests"):
         compared.page.get_by_role("radio", name=sight).check()

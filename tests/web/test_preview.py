@@ -2,6 +2,7 @@
 
 from urllib.parse import parse_qs
 
+import pytest
 from playwright.sync_api import expect
 
 from tests.api.conftest import Daemon
@@ -89,6 +90,29 @@ def test_lights(visit: Visit) -> None:
     lights.select_option("all")
     visit.await_frames(frames)
     assert visit.image() == image
+
+
+def test_options_stay_under_the_hand(visit: Visit) -> None:
+    visit.preview()
+    visit.page.get_by_text("Build options").click()
+    leaf = visit.page.get_by_label("max_leaf")
+    before = int(leaf.input_value())
+    leaf.focus()
+    for _ in range(2):
+        frames = visit.frames()
+        visit.page.keyboard.press("ArrowUp")
+        visit.await_frames(frames)
+    expect(leaf).to_be_focused()
+    expect(leaf).to_have_value(str(before + 2))
+    visit.page.get_by_label("Mode").select_option("shadow")
+    expect(leaf).to_be_visible()
+
+
+@pytest.mark.parametrize("parameters", [{"structure": "kdtree"}, {"structure": "kdtree", "traversal": "packet"}])
+def test_a_link_with_another_structures_traversal(visit: Visit, parameters: dict[str, str]) -> None:
+    visit.preview(**parameters)
+    expect(visit.page.get_by_label("Traversal", exact=True)).to_have_value("short-stack-3")
+    expect(visit.page.locator("#notices .notice")).to_have_count(0)
 
 
 def test_timing_is_shown(visit: Visit) -> None:

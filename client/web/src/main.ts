@@ -23,7 +23,7 @@ let shown = "";
 async function route(): Promise<void> {
   const { page: asked, parameters } = parseAddress(location.hash);
   const name = asked in PAGES ? asked : "preview";
-  if (name === shown && page !== null) return page.readdress(parameters);
+  if (name === shown && page?.readdress) return page.readdress(parameters);
   shown = name;
   page?.close();
   page = null;

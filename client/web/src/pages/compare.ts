@@ -16,9 +16,10 @@ import { checkField, segments, selectField } from "../ui/fields.ts";
 import { figure } from "../ui/format.ts";
 import { dismiss, noticeOf } from "../ui/notice.ts";
 import { type Extent, isUsable, type Pose, poseOf } from "../viewer/camera.ts";
-import { type Look, lookFromParameters, lookToParameters } from "../viewer/choice.ts";
+import { known, type Look, lookFromParameters, lookToParameters } from "../viewer/choice.ts";
 import { Input } from "../viewer/input.ts";
 import { poseFromParameters, poseToParameters } from "../viewer/link.ts";
+import { linkedView } from "../viewer/linkedView.ts";
 import { type LookPanel, lookPanel } from "../viewer/lookPanel.ts";
 import { extentOf, Stage } from "../viewer/stage.ts";
 
@@ -47,6 +48,7 @@ class Compare implements Page {
   private readonly marks = checkField("Mark other triangles", true, () => this.paint());
   private readonly settings = h("section", { class: "two", "aria-label": "Settings" });
   private sight: Sight = "side";
+  private asked: Pose | "bad" | null;
   private pose: Pose | null = null;
   private first: Pose | null = null;
   private extent: Extent = { centre: [0, 0, 0], radius: 1 };
@@ -59,8 +61,7 @@ class Compare implements Page {
     const a = lookFromParameters(parameters, "a.");
     const b = lookFromParameters(parameters, "b.");
     if (!parameters.has("b.structure")) Object.assign(b, { structure: "kdtree", traversal: "short-stack-3" });
-    const asked = poseFromParameters(parameters);
-    this.pose = asked === "bad" ? null : asked;
+    this.asked = poseFromParameters(parameters);
     this.sides = [this.side("a", a), this.side("b", { ...b, scene: a.scene })];
     new PixelPicker(
       this.sides.map((side) => side.stage.canvas),
@@ -79,8 +80,6 @@ class Compare implements Page {
     void this.start();
   }
 
-  readdress(): void {} // the page writes its address; it does not follow edits of it
-
   recover(): void {
     if (this.kinds.length === 0) void this.start();
     for (const side of this.sides) side.stage.again();
@@ -93,7 +92,7 @@ class Compare implements Page {
       side.input.close();
       side.stage.close();
     }
-    dismiss("compare");
+    for (const subject of ["compare", "compare-camera"]) dismiss(subject);
   }
 
   private side(name: "a" | "b", look: Look): Side {
@@ -172,6 +171,7 @@ class Compare implements Page {
   }
 
   private present(side: Side): void {
+    side.look = known(side.look, this.kinds);
     this.scenePick.set(side.look.scene);
     side.panel?.show(
       side.look,
@@ -199,6 +199,8 @@ class Compare implements Page {
       const start = await firstCamera(scene);
       this.first ??= start === undefined ? null : poseOf(start);
     }
+    this.pose = linkedView(this.asked, this.extent, "compare-camera") ?? this.pose;
+    this.asked = null;
     if (this.pose === null || !isUsable(this.pose, this.extent)) this.pose = this.first;
     if (this.pose !== null) for (const side of this.sides) side.stage.viewer.look(this.pose, true);
   }

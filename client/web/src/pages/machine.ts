@@ -38,8 +38,6 @@ class Machine implements Page {
     void this.refresh();
   }
 
-  readdress(): void {}
-
   recover(): void {
     void this.refresh();
   }

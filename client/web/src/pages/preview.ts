@@ -6,14 +6,15 @@ import type { OpenPage, Page } from "../app/page.ts";
 import { addressText, replaceAddress } from "../app/router.ts";
 import { h, put } from "../ui/dom.ts";
 import { segments, selectField } from "../ui/fields.ts";
-import { dismiss, notice, noticeOf } from "../ui/notice.ts";
+import { dismiss, noticeOf } from "../ui/notice.ts";
 import { copyText, saveFile } from "../ui/save.ts";
 import { keepPicture, type ScenePicker, scenePicker } from "../ui/scenePicker.ts";
 import { type Extent, isUsable, type Pose, poseOf } from "../viewer/camera.ts";
-import { type Look, lookFromParameters, lookToParameters } from "../viewer/choice.ts";
+import { known, type Look, lookFromParameters, lookToParameters } from "../viewer/choice.ts";
 import { renderCommand } from "../viewer/command.ts";
 import { Input, type Motion } from "../viewer/input.ts";
 import { poseFromParameters, poseToParameters } from "../viewer/link.ts";
+import { linkedView } from "../viewer/linkedView.ts";
 import { type LookPanel, lookPanel } from "../viewer/lookPanel.ts";
 import { extentOf, Stage } from "../viewer/stage.ts";
 import { TimingPanel } from "../viewer/timingPanel.ts";
@@ -65,6 +66,7 @@ class Preview implements Page {
   readdress(parameters: URLSearchParams): void {
     this.look = lookFromParameters(parameters);
     this.asked = poseFromParameters(parameters);
+    this.pose = null;
     this.present();
   }
 
@@ -139,6 +141,7 @@ class Preview implements Page {
   }
 
   private present(): void {
+    if (this.kinds.length > 0) this.look = known(this.look, this.kinds);
     const scene = this.scenes.find((one) => one.name === this.look.scene);
     this.panel?.show(this.look, scene);
     this.picker.show(this.scenes, this.look.scene);
@@ -161,13 +164,8 @@ class Preview implements Page {
     this.extent = extentOf(scene);
     const start = await firstCamera(scene);
     this.first = start === undefined ? null : poseOf(start);
-    const asked = this.asked;
+    this.pose = linkedView(this.asked, this.extent, "preview-camera") ?? this.pose ?? this.first;
     this.asked = null;
-    if (asked !== null && (asked === "bad" || !isUsable(asked, this.extent))) {
-      const text = "The camera of this link cannot be used; this is the scene's first view.";
-      notice("preview-camera", "info", text);
-    } else if (asked !== null) this.pose = asked;
-    this.pose ??= this.first;
     if (this.pose !== null) this.stage.viewer.look(this.pose, true);
   }
 

@@ -70,8 +70,6 @@ class Walkthrough implements Page {
     void this.start();
   }
 
-  readdress(): void {}
-
   recover(): void {
     dismiss("walkthrough");
     if (this.techniques === null) void this.start();

@@ -54,5 +54,16 @@ export function scenePicker(choose: (name: string) => void): ScenePicker {
         scene.loaded && h("span", { class: "dot", title: "resident" }, h("span", { class: "hidden" }, "resident")),
       ),
     );
-  return { element, show: (scenes, chosen) => fill(list, ...scenes.map((scene) => row(scene, scene.name === chosen))) };
+  let shown = "";
+  return {
+    element,
+    show: (scenes, chosen) => {
+      fill(list, ...scenes.map((scene) => row(scene, scene.name === chosen)));
+      const current = list.querySelector("[aria-current]");
+      if (chosen !== shown && current !== null) {
+        current.scrollIntoView({ block: "nearest", inline: "nearest" });
+        shown = chosen;
+      }
+    },
+  };
 }

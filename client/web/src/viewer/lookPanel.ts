@@ -1,6 +1,6 @@
 // Controls of a look: structure, traversal, their options, and what is shaded.
 import type { Kind, Scene } from "../api/types.ts";
-import { fill, h } from "../ui/dom.ts";
+import { h } from "../ui/dom.ts";
 import { type Choice, numberField, selectField } from "../ui/fields.ts";
 import { optionFields } from "../ui/optionFields.ts";
 import { known, type Look, MODES, OUTPUTS, traversalsOf } from "./choice.ts";
@@ -26,7 +26,8 @@ const ALL = "all";
 function lightChoices(count: number): Choice[] {
   const fewer = Array.from({ length: count }, (_, at) => count - 1 - at);
   const named = fewer.map((lights) => ({ value: String(lights), label: lights === 0 ? "none" : `first ${lights}` }));
-  return [{ value: ALL, label: count > 0 ? `all ${count}` : "none" }, ...named];
+  const label = count === 0 ? "none" : count === 1 ? "1" : `all ${count}`;
+  return [{ value: ALL, label }, ...named];
 }
 
 /** `parts` leaves controls out that a page has no use for. */
@@ -55,16 +56,25 @@ export function lookPanel(
     update({ output: value as Look["output"] }),
   );
   const lights = selectField("Lights", [], (value) => update({ lights: value === ALL ? null : Number(value) }));
-  const build = h("div");
-  const kernel = h("div");
+  const build = optionFields("Build options", (value) => update({ build: value }));
+  const kernel = optionFields("Kernel options", (value) => update({ kernel: value }));
 
   const element = h(
     "div",
     { class: "panel" },
-    h("div", { class: "fields" }, structure.element, traversal.element, mode.element, depth.element, lights.element, tier.element),
+    h(
+      "div",
+      { class: "fields" },
+      structure.element,
+      traversal.element,
+      mode.element,
+      depth.element,
+      lights.element,
+      tier.element,
+    ),
     parts.output ? h("div", { class: "fields" }, output.element) : null,
-    build,
-    kernel,
+    build.element,
+    kernel.element,
   );
   return {
     element,
@@ -89,14 +99,8 @@ export function lookPanel(
       output.set(look.output);
       lights.offer(lightChoices(scene?.lights ?? 0));
       lights.set(look.lights === null || look.lights >= (scene?.lights ?? 0) ? ALL : String(look.lights));
-      fill(
-        build,
-        optionFields("Build options", kind?.options ?? [], look.build, (value) => update({ build: value })),
-      );
-      fill(
-        kernel,
-        optionFields("Kernel options", chosen?.options ?? [], look.kernel, (value) => update({ kernel: value })),
-      );
+      build.show(kind?.options ?? [], look.build);
+      kernel.show(chosen?.options ?? [], look.kernel);
     },
   };
 }

@@ -69,7 +69,17 @@ export class Stage {
       dismiss(this.subject);
       const { scene: name, traversal, kernel, tier, mode, depth, output } = look;
       const lights = look.lights === null ? {} : { lights: look.lights };
-      this.viewer.show({ scene: name, structure: structure.id, traversal, kernel, tier, mode, depth, output, ...lights });
+      this.viewer.show({
+        scene: name,
+        structure: structure.id,
+        traversal,
+        kernel,
+        tier,
+        mode,
+        depth,
+        output,
+        ...lights,
+      });
     } catch (error) {
       if (isAbort(error) || signal.aborted) return;
       this.say("Nothing to show.");
