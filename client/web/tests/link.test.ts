@@ -64,5 +64,7 @@ test("a command quotes what a shell would take apart", () => {
   assert.ok(
     command.includes(`render 'a b'\\''s' --structure bvh -o bins=8 --traversal while-while --kernel slab=plain`),
   );
-  assert.ok(command.includes("--eye=0.100000001,-2,") && command.includes("--size 64x48 --mode whitted --depth 2 --lights 0"));
+  assert.ok(
+    command.includes("--eye=0.100000001,-2,") && command.includes("--size 64x48 --mode whitted --depth 2 --lights 0"),
+  );
 });
