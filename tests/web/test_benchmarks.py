@@ -32,6 +32,10 @@ def test_a_job_runs_to_its_table(visit: Visit) -> None:
     table.get_by_role("button", name="Median ms").click()
     assert [float(text) for text in table.locator("tbody td:nth-child(3)").all_inner_texts()] == times[::-1]
     expect(table.locator("th[aria-sort=descending]")).to_have_text("Median ms")
+    for _ in range(2):  # in either order what the study has no time of comes last
+        table.get_by_role("button", name="Steps/ray").click()
+        steps = table.locator("tbody td:nth-child(9)").all_inner_texts()
+        assert "–" in steps and "–" not in steps[: -steps.count("–")]
     expect(visit.page.locator(".plot canvas")).to_be_visible()
     with visit.page.expect_download() as download:
         visit.page.get_by_role("button", name="CSV").click()
@@ -58,5 +62,11 @@ def test_nothing_to_measure_cannot_be_started(visit: Visit) -> None:
 
 
 def test_an_unknown_job_is_said(visit: Visit) -> None:
+    job = start(visit, frames=1)
+    expect(job).to_have_attribute("data-state", "succeeded", timeout=60_000)
     visit.open("benchmarks", job="nothing")
     expect(visit.notice("nothing")).to_be_visible()
+    expect(job).to_be_hidden()
+    visit.page.get_by_role("region", name="Jobs").get_by_role("button").first.click()
+    expect(job).to_be_visible()
+    expect(visit.notice("nothing")).to_have_count(0)

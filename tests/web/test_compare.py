@@ -40,7 +40,7 @@ def test_a_changed_knob_is_seen(compared: Visit) -> None:
 def test_another_link_is_followed(compared: Visit) -> None:
     link = f"#/compare?a.scene={SCENE}&a.lights=0&b.structure=grid&b.traversal=dda"
     compared.page.evaluate("link => { location.hash = link; }", link)
-    expect(compared.page.locator("figcaption").nth(1)).to_have_text("B: grid/dda")
+    expect(compared.page.locator("figcaption").nth(1)).to_have_text("B: grid/dda, shadow")
     figures = compared.page.get_by_label("Figures")
     expect(figures).to_have_attribute("data-changed", re.compile(r"[1-9]\d*"), timeout=LIMIT_MS)
     await_figures(compared, "0")

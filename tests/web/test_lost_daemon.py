@@ -11,7 +11,7 @@ from tests.web.conftest import SCENE, Visit
 TEXT = "The daemon does not answer"
 
 
-@pytest.mark.parametrize("name", ["preview", "machine"])
+@pytest.mark.parametrize("name", ["preview", "walkthrough", "machine"])
 def test_lost_and_back(context: BrowserContext, tmp_path: Path, name: str) -> None:
     flags = ("--device", "cpu", "--log-level", "error")
     process = start(tmp_path / "state", "--port", "0", *flags)
@@ -20,6 +20,10 @@ def test_lost_and_back(context: BrowserContext, tmp_path: Path, name: str) -> No
     try:
         if name == "preview":
             visit.preview(scene=SCENE)
+        elif name == "walkthrough":
+            visit.open(name, scene=SCENE, frames=2000, size=128, techniques="bvh/while-while")
+            visit.page.get_by_role("button", name="Play").click()
+            visit.page.wait_for_function("() => document.querySelector('canvas.view').dataset.frame > 2")
         else:
             visit.open(name)
             expect(visit.page.get_by_label("Device")).to_contain_text("CPU")
@@ -37,6 +41,11 @@ def test_lost_and_back(context: BrowserContext, tmp_path: Path, name: str) -> No
             frames = visit.frames()
             visit.drag(60, 0)
             visit.await_frames(frames)
+        if name == "walkthrough":
+            frame = visit.canvas.get_attribute("data-frame")
+            visit.page.wait_for_function(
+                "n => document.querySelector('canvas.view').dataset.frame > n + 3", arg=int(frame or 0)
+            )
         assert visit.complaints == []
     finally:
         process.kill()

@@ -19,8 +19,10 @@ def test_pin_and_evict(visit: Visit, daemon: Daemon) -> None:
     visit.open("machine")
     page = visit.page
     pin, evict = page.get_by_label("pin soup.bvh"), page.get_by_role("button", name="Evict soup.bvh")
-    pin.check()
+    pin.focus()
+    visit.page.keyboard.press("Space")
     expect(evict).to_be_disabled()
+    expect(pin).to_be_focused()
     daemon.problem("DELETE", "/v1/structures/soup.bvh", 409, "pinned")
     page.get_by_role("button", name="Evict soup", exact=True).click()
     expect(visit.notice("'soup.bvh' is pinned")).to_be_visible()

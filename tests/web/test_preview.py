@@ -64,6 +64,50 @@ def test_wheel_and_fly(visit: Visit) -> None:
     assert visit.image() != near
 
 
+def test_a_key_stops_when_it_is_released(visit: Visit) -> None:
+    visit.preview()
+    visit.canvas.focus()
+    first, frames = visit.image(), visit.frames()
+    for press in (visit.page.keyboard.down, visit.page.keyboard.up):
+        press("Shift")
+        press("Equal")  # "+" while Shift is held, "=" when it is released first
+    visit.await_frames(frames)
+    still, frames = visit.image(), visit.frames()
+    assert still != first
+    visit.page.wait_for_timeout(400)
+    assert visit.frames() == frames
+
+
+def test_a_tap_moves_the_camera(visit: Visit) -> None:
+    visit.preview()
+    visit.canvas.focus()
+    image, frames = visit.image(), visit.frames()
+    visit.page.keyboard.press("ArrowLeft")
+    visit.await_frames(frames)
+    assert visit.image() != image
+
+
+def test_a_scene_that_was_left_moves_no_camera(visit: Visit, daemon: Daemon) -> None:
+    daemon.load("soup", triangles=500)
+    expected = visit.preview().image()
+    visit.page.evaluate("() => { window.location.hash = '#/preview?scene=nowhere'; }")
+    expect(visit.notice("no scene 'nowhere'")).to_be_visible()
+
+    def late(route) -> None:
+        visit.page.wait_for_timeout(1500)
+        route.continue_()
+
+    visit.page.route("**/v1/scenes/soup/cameras*", late)
+    visit.page.get_by_role("button", name="soup").click()
+    visit.page.wait_for_timeout(300)
+    frames = visit.frames()
+    visit.page.get_by_role("button", name=SCENE).click()
+    visit.page.get_by_label("Mode", exact=True).select_option("primary")
+    visit.await_frames(frames)
+    visit.page.wait_for_timeout(2000)
+    assert visit.image() == expected
+
+
 def test_structure_and_output(visit: Visit) -> None:
     visit.preview()
     image, frames = visit.image(), visit.frames()
@@ -108,7 +152,9 @@ def test_options_stay_under_the_hand(visit: Visit) -> None:
     expect(leaf).to_be_visible()
 
 
-@pytest.mark.parametrize("parameters", [{"structure": "kdtree"}, {"structure": "kdtree", "traversal": "packet"}])
+@pytest.mark.parametrize(
+    "parameters", [{"structure": "kdtree"}, {"structure": "kdtree", "traversal": "packet", "build": '{"nothing":3}'}]
+)
 def test_a_link_with_another_structures_traversal(visit: Visit, parameters: dict[str, str]) -> None:
     visit.preview(**parameters)
     expect(visit.page.get_by_label("Traversal", exact=True)).to_have_value("short-stack-3")

@@ -20,13 +20,11 @@ export function paperName(technique: Technique): string | undefined {
   return PAPER[nameOf(technique)];
 }
 
-/** Every technique that shades frames, the brute-force oracle and bare loops apart. */
+/** Every technique that shades frames, bare loops apart. */
 export function techniquesOf(kinds: Kind[]): Technique[] {
-  return kinds
-    .filter((kind) => kind.name !== "brute")
-    .flatMap((kind) =>
-      kind.traversals
-        .filter((traversal) => traversal.baseline !== true)
-        .map((traversal) => ({ structure: kind.name, traversal: traversal.name })),
-    );
+  return kinds.flatMap((kind) =>
+    kind.traversals
+      .filter((traversal) => traversal.baseline !== true)
+      .map((traversal) => ({ structure: kind.name, traversal: traversal.name })),
+  );
 }

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { addressText, parseAddress } from "../src/app/router.ts";
-import { DEFAULT_LOOK, lookFromParameters, lookToParameters } from "../src/viewer/choice.ts";
+import { briefly, DEFAULT_LOOK, known, lookFromParameters, lookToParameters } from "../src/viewer/choice.ts";
 import { renderCommand } from "../src/viewer/command.ts";
 import { poseFromParameters, poseToParameters } from "../src/viewer/link.ts";
 
@@ -42,6 +42,25 @@ test("a look comes back; what is not known falls back", () => {
   assert.deepEqual(lookFromParameters(new URLSearchParams(lookToParameters(look, "a.")), "a."), look);
   const odd = new URLSearchParams("depth=99&lights=-1&mode=paths&output=smell&kernel={&build=[1]&tier=none");
   assert.deepEqual(lookFromParameters(odd), DEFAULT_LOOK);
+});
+
+test("names that the daemon does not know", () => {
+  const kind = (name: string, traversals: string[]) => ({
+    name,
+    help: "",
+    options: [],
+    traversals: traversals.map((one) => ({ name: one, help: "", options: [] })),
+  });
+  const kinds = [kind("grid", ["dda"]), kind("bvh", ["packet", "while-while"])];
+  const odd = { ...DEFAULT_LOOK, structure: "tree", traversal: "walk", build: { bins: 3 }, kernel: { smell: 1 } };
+  assert.deepEqual(known(odd, kinds), DEFAULT_LOOK);
+  assert.equal(known({ ...DEFAULT_LOOK, structure: "grid" }, kinds).traversal, "dda");
+});
+
+test("a look in a few words", () => {
+  assert.equal(briefly(DEFAULT_LOOK), "bvh/while-while, shadow");
+  const look = { ...DEFAULT_LOOK, mode: "whitted" as const, depth: 4, lights: 0, tier: "fast" as const };
+  assert.equal(briefly({ ...look, build: { bins: 8 } }), "bvh/while-while, whitted, depth 4, no lights, fast, bins=8");
 });
 
 test("addresses", () => {

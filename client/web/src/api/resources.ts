@@ -6,7 +6,9 @@ import type { Options, Scene, Structure, System } from "./types.ts";
 const part = encodeURIComponent;
 
 export const getSystem = () => json<System>("GET", "/v1/system");
-export const getKinds = async () => (await json<{ kinds: Kind[] }>("GET", "/v1/kinds")).kinds;
+/** All but the brute-force oracle, which would hold the device for minutes a frame. */
+export const getKinds = async () =>
+  (await json<{ kinds: Kind[] }>("GET", "/v1/kinds")).kinds.filter((kind) => kind.name !== "brute");
 
 export const listScenes = async () => (await json<{ scenes: Scene[] }>("GET", "/v1/scenes")).scenes;
 export const getScene = (name: string, signal?: AbortSignal) =>

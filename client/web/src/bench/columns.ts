@@ -7,7 +7,7 @@ export interface Column {
   name: string;
   title: string;
   isNumber: boolean;
-  key(row: ResultRow): string | number;
+  key(row: ResultRow): string | number | null;
   text(row: ResultRow): string;
 }
 
@@ -30,7 +30,7 @@ function number(
     name,
     title,
     isNumber: true,
-    key: (row) => value(row) ?? Number.POSITIVE_INFINITY,
+    key: (row) => value(row) ?? null,
     text: (row) => {
       const known = value(row);
       return known === null || known === undefined ? "–" : text(known);

@@ -54,6 +54,10 @@ export class JobView {
     this.cancel.hidden = hasEnded(job);
   }
 
+  hide(): void {
+    this.element.hidden = true;
+  }
+
   content(element: HTMLElement | null): void {
     fill(this.body, element);
   }

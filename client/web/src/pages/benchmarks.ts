@@ -130,7 +130,9 @@ class Benchmarks implements Page {
 
   /** Follows a job to its end. */
   private choose(id: string): void {
+    if (id !== this.chosen) this.view.hide();
     this.chosen = id;
+    dismiss("bench");
     this.following.abort();
     this.following = new AbortController();
     replaceAddress("benchmarks", id === "" ? {} : { job: id });

@@ -16,7 +16,7 @@ import { checkField, segments, selectField } from "../ui/fields.ts";
 import { figure } from "../ui/format.ts";
 import { dismiss, noticeOf } from "../ui/notice.ts";
 import { type Extent, isUsable, type Pose, poseOf } from "../viewer/camera.ts";
-import { known, type Look, lookFromParameters, lookToParameters } from "../viewer/choice.ts";
+import { briefly, known, type Look, lookFromParameters, lookToParameters } from "../viewer/choice.ts";
 import { Input } from "../viewer/input.ts";
 import { poseFromParameters, poseToParameters } from "../viewer/link.ts";
 import { linkedView } from "../viewer/linkedView.ts";
@@ -105,6 +105,9 @@ class Compare implements Page {
         void this.collect();
       },
       home: () => this.home(),
+      evicted: () => {
+        for (const side of this.sides) side.stage.again();
+      },
     });
     const input = new Input(stage.canvas, {
       pose: () => this.pose,
@@ -178,7 +181,7 @@ class Compare implements Page {
       this.scenes.find((scene) => scene.name === side.look.scene),
     );
     const caption = side.box.querySelector("figcaption");
-    if (caption) caption.textContent = `${side.name.toUpperCase()}: ${side.look.structure}/${side.look.traversal}`;
+    if (caption) caption.textContent = `${side.name.toUpperCase()}: ${briefly(side.look)}`;
     this.forget();
     this.writeAddress();
     void side.stage.present(side.look);
@@ -194,11 +197,10 @@ class Compare implements Page {
   }
 
   private async loaded(scene: Scene): Promise<void> {
+    const start = this.first === null ? await firstCamera(scene) : undefined;
+    if (scene.name !== this.sides[0].look.scene) return; // another one was chosen meanwhile
     this.extent = extentOf(scene);
-    if (this.first === null) {
-      const start = await firstCamera(scene);
-      this.first ??= start === undefined ? null : poseOf(start);
-    }
+    this.first ??= start === undefined ? null : poseOf(start);
     this.pose = linkedView(this.asked, this.extent, "compare-camera") ?? this.pose;
     this.asked = null;
     if (this.pose === null || !isUsable(this.pose, this.extent)) this.pose = this.first;

@@ -104,8 +104,11 @@ class Machine implements Page {
 
   private showResident(scenes: Scene[], structures: Structure[]): void {
     const now = JSON.stringify([scenes, structures]);
-    if (now === this.shown) return; // keeps the focus where it is
+    if (now === this.shown) return;
     this.shown = now;
+    const focused = this.resident.contains(document.activeElement)
+      ? document.activeElement?.getAttribute("data-of")
+      : null;
     const head = ["Name", "Size", "Contents", "Time", "Actions"].map((name) =>
       h("th", { scope: "col", class: name === "Size" || name === "Actions" ? "number" : null }, name),
     );
@@ -121,6 +124,11 @@ class Machine implements Page {
         ? h("p", { class: "hint" }, "Nothing is resident; Preview loads what it shows.")
         : h("table", {}, h("thead", {}, h("tr", {}, ...head)), h("tbody", {}, ...rows)),
     );
+    if (focused === null) return;
+    const same = [...this.resident.querySelectorAll<HTMLElement>("[data-of]")].find(
+      (control) => control.dataset.of === focused,
+    );
+    (same ?? this.resident).focus();
   }
 
   private sceneRow(scene: Scene): HTMLElement {
@@ -164,6 +172,7 @@ class Machine implements Page {
     const pinned = h("input", {
       type: "checkbox",
       checked: isPinned,
+      "data-of": `pin ${name}`,
       onchange: () => void act(() => pin(path, pinned.checked)),
     });
     return h(
@@ -180,7 +189,13 @@ class Machine implements Page {
           h("label", { class: "check" }, pinned, h("span", {}, "pin", h("span", { class: "hidden" }, ` ${name}`))),
           h(
             "button",
-            { type: "button", disabled: isPinned, "aria-label": `Evict ${name}`, onclick: () => void act(evict) },
+            {
+              type: "button",
+              disabled: isPinned,
+              "aria-label": `Evict ${name}`,
+              "data-of": `evict ${name}`,
+              onclick: () => void act(evict),
+            },
             "Evict",
           ),
         ),

@@ -51,6 +51,7 @@ class Preview implements Page {
       loaded: (scene) => this.loaded(scene),
       drawn: (frame) => this.drawn(frame),
       home: () => this.home(),
+      evicted: () => this.present(),
     });
     this.input = new Input(this.stage.canvas, {
       pose: () => this.pose,
@@ -80,7 +81,7 @@ class Preview implements Page {
     clearTimeout(this.address);
     this.input.close();
     this.stage.close();
-    for (const subject of ["preview-list", "preview-camera", "copied"]) dismiss(subject);
+    for (const subject of ["preview-list", "preview-camera", "preview-file", "copied"]) dismiss(subject);
   }
 
   private stageBox(): HTMLElement {
@@ -145,6 +146,7 @@ class Preview implements Page {
     const scene = this.scenes.find((one) => one.name === this.look.scene);
     this.panel?.show(this.look, scene);
     this.picker.show(this.scenes, this.look.scene);
+    dismiss("preview-file");
     this.writeAddress();
     void this.stage.present(this.look);
   }
@@ -160,9 +162,10 @@ class Preview implements Page {
     this.scenes = this.scenes.some((one) => one.name === scene.name)
       ? this.scenes.map((one) => (one.name === scene.name ? scene : one))
       : [...this.scenes, scene];
+    const start = await firstCamera(scene);
+    if (scene.name !== this.look.scene) return; // another one was chosen meanwhile
     this.picker.show(this.scenes, scene.name);
     this.extent = extentOf(scene);
-    const start = await firstCamera(scene);
     this.first = start === undefined ? null : poseOf(start);
     this.pose = linkedView(this.asked, this.extent, "preview-camera") ?? this.pose ?? this.first;
     this.asked = null;
@@ -205,7 +208,7 @@ class Preview implements Page {
       const { content } = await fetchImage(request, accept);
       saveFile(content, `${this.look.scene}-${this.look.structure}-${this.look.traversal}.${suffix}`);
     } catch (error) {
-      noticeOf("preview-list", error);
+      noticeOf("preview-file", error);
     }
   }
 

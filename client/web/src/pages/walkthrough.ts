@@ -61,7 +61,7 @@ class Walkthrough implements Page {
       traced: (technique, frame, ms, image) => this.traced(technique, frame, ms, image),
       at: (frame) => this.at(frame),
       ended: () => this.showPlaying(),
-      failed: (error) => this.failed(error),
+      failed: (error, wasPlaying) => this.failed(error, wasPlaying),
     });
     this.size.set("256");
     this.playButton.addEventListener("click", () => (this.player.isPlaying ? this.pause() : this.play()));
@@ -98,7 +98,7 @@ class Walkthrough implements Page {
   }
 
   private figures(): HTMLElement {
-    const heads = ["Technique", "Frames", "Median ms", "p95 ms", "Mrays/s"];
+    const heads = ["Technique", "Frames", "Median ms", "p95 ms", "Mpixels/s"];
     const head = heads.map((name, at) => h("th", { scope: "col", class: at > 0 ? "number" : null }, name));
     return h(
       "section",
@@ -149,6 +149,7 @@ class Walkthrough implements Page {
       shown: this.seen.value(),
     };
     this.player.change(walk);
+    this.wasPlaying = false;
     this.times.clear();
     for (const name of names) this.times.set(name, Array(walk.frames).fill(null));
     this.plot.show(names.map((name) => ({ name, colour: this.colour(name) })));
@@ -235,13 +236,13 @@ class Walkthrough implements Page {
     fill(this.rows, ...rows);
   }
 
-  private failed(error: unknown): void {
-    this.wasPlaying = this.player.isPlaying;
+  private failed(error: unknown, wasPlaying: boolean): void {
+    this.wasPlaying ||= wasPlaying;
     this.showPlaying();
     say(this.status, "");
     const again = { label: "Load it again", run: () => this.recover() };
     if (error instanceof Problem && (error.status === 404 || error.status === 409)) {
-      notice("walkthrough", "error", error.message, again);
+      notice("walkthrough", "error", `What was shown of ${this.player.walk.scene} is not loaded any more.`, again);
     } else noticeOf("walkthrough", error, { label: "Try again", run: () => this.recover() });
   }
 }

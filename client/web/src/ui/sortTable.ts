@@ -5,7 +5,7 @@ export interface SortColumn<Row> {
   name: string;
   title: string;
   isNumber: boolean;
-  key(row: Row): string | number;
+  key(row: Row): string | number | null; // null: nothing to sort by, at the end in either order
   text(row: Row): string;
 }
 
@@ -18,7 +18,10 @@ export function sortTable<Row>(
 ): HTMLElement {
   let [by, isDown] = [-1, false];
   const body = h("tbody");
-  const compare = (a: string | number, b: string | number) => (a === b ? 0 : a < b ? -1 : 1);
+  const compare = (a: string | number | null, b: string | number | null) => {
+    if (a === null || b === null) return Number(a === null) - Number(b === null);
+    return (a === b ? 0 : a < b ? -1 : 1) * (isDown ? -1 : 1);
+  };
   const cell = (column: SortColumn<Row>, row: Row, at: number) =>
     at === 0
       ? h("th", { scope: "row" }, column.text(row))
@@ -26,7 +29,7 @@ export function sortTable<Row>(
   const show = () => {
     const column = columns[by];
     const sorted = [...rows];
-    if (column !== undefined) sorted.sort((a, b) => compare(column.key(a), column.key(b)) * (isDown ? -1 : 1));
+    if (column !== undefined) sorted.sort((a, b) => compare(column.key(a), column.key(b)));
     fill(body, ...sorted.map((row) => h("tr", { class: mark(row) }, ...columns.map((one, at) => cell(one, row, at)))));
     for (const [at, head] of heads.entries()) {
       head.setAttribute("aria-sort", at === by ? (isDown ? "descending" : "ascending") : "none");

@@ -1,5 +1,5 @@
 // What a viewer is asked to show: a scene, a technique and its settings.
-import type { Kind, Mode, Options, Output } from "../api/types.ts";
+import type { Kind, Mode, Option, Options, Output } from "../api/types.ts";
 
 export interface Look {
   scene: string;
@@ -36,12 +36,34 @@ export function traversalsOf(kinds: Kind[], structure: string): string[] {
   return (kind?.traversals ?? []).filter((traversal) => !traversal.baseline).map((traversal) => traversal.name);
 }
 
-/** The look with names that the daemon knows: others fall back to the first that fits. */
+function fitting(wanted: string, usual: string, names: string[]): string {
+  return [wanted, usual].find((name) => names.includes(name)) ?? names[0] ?? "";
+}
+
+function described(options: Options, by: Option[] = []): Options {
+  return Object.fromEntries(Object.entries(options).filter(([name]) => by.some((option) => option.name === name)));
+}
+
+/** The look with names that the daemon knows: others fall back to the usual one, or the first that fits. */
 export function known(look: Look, kinds: Kind[]): Look {
-  const structure = kinds.some((kind) => kind.name === look.structure) ? look.structure : (kinds[0]?.name ?? "bvh");
-  const traversals = traversalsOf(kinds, structure);
-  const traversal = traversals.includes(look.traversal) ? look.traversal : (traversals[0] ?? "");
-  return { ...look, structure, traversal };
+  const names = kinds.map((kind) => kind.name);
+  const structure = fitting(look.structure, DEFAULT_LOOK.structure, names);
+  const traversal = fitting(look.traversal, DEFAULT_LOOK.traversal, traversalsOf(kinds, structure));
+  const kind = kinds.find((one) => one.name === structure);
+  const chosen = kind?.traversals.find((one) => one.name === traversal);
+  const build = described(look.build, kind?.options);
+  const kernel = described(look.kernel, chosen?.options);
+  return { ...look, structure, build, traversal, kernel };
+}
+
+/** What a look shows with, in a few words: its technique, and what is not as usual. */
+export function briefly(look: Look): string {
+  const words = [`${look.structure}/${look.traversal}`, look.mode];
+  if (look.mode === "whitted" && look.depth !== DEFAULT_LOOK.depth) words.push(`depth ${look.depth}`);
+  if (look.lights !== null) words.push(look.lights === 0 ? "no lights" : `first ${look.lights} lights`);
+  if (look.tier !== DEFAULT_LOOK.tier) words.push(look.tier);
+  for (const [name, value] of Object.entries({ ...look.build, ...look.kernel })) words.push(`${name}=${value}`);
+  return words.join(", ");
 }
 
 /** Parameters of an address; what is as by default is left out. */

@@ -15,6 +15,7 @@ export interface Steered {
 const TURN = Math.PI; // radians for a drag over the whole height
 const KEY_TURN = 1.2; // radians a second
 const KEY_FLIGHT = 0.5; // radii a second
+const TAP_S = 1 / 60; // what a key moves at least, however short it is pressed
 const KEYS = new Set("wasdqe+-=_".split("").concat("arrowleft", "arrowright", "arrowup", "arrowdown"));
 
 interface Finger {
@@ -26,7 +27,8 @@ export class Input {
   private readonly element: HTMLElement;
   private readonly steered: Steered;
   private readonly fingers = new Map<number, Finger>();
-  private readonly keys = new Set<string>();
+  private readonly keys = new Map<string, string>(); // held, by place on the keyboard: what they mean may change
+  private isFast = false;
   private last = 0;
   private readonly off = new AbortController();
 
@@ -42,7 +44,7 @@ export class Input {
     element.addEventListener("wheel", (event) => this.wheel(event), { ...options, passive: false });
     element.addEventListener("contextmenu", (event) => event.preventDefault(), options);
     element.addEventListener("keydown", (event) => this.press(event), options);
-    element.addEventListener("keyup", (event) => this.keys.delete(event.key.toLowerCase()), options);
+    element.addEventListener("keyup", (event) => this.release(event), options);
     element.addEventListener("blur", () => this.keys.clear(), options);
   }
 
@@ -105,22 +107,33 @@ export class Input {
     }
     if (!KEYS.has(key)) return;
     event.preventDefault();
-    if (this.keys.size === 0) {
-      this.last = performance.now();
-      requestAnimationFrame((now) => this.tick(now));
-    }
-    this.keys.add(key);
-    if (event.shiftKey) this.keys.add("shift");
-    else this.keys.delete("shift");
+    this.isFast = event.shiftKey;
+    if (this.keys.has(event.code)) return;
+    const isFirst = this.keys.size === 0;
+    this.keys.set(event.code, key);
+    this.step(TAP_S);
+    if (!isFirst) return;
+    this.last = performance.now();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  private release(event: KeyboardEvent): void {
+    this.keys.delete(event.code);
+    this.isFast = event.shiftKey;
   }
 
   /** Moves by the keys that are held, once a frame of the screen. */
   private tick(now: number): void {
     if (this.keys.size === 0) return;
-    const seconds = Math.max(0.001, Math.min(0.1, (now - this.last) / 1000));
+    this.step(Math.max(0.001, Math.min(0.1, (now - this.last) / 1000)));
     this.last = now;
-    const held = (...names: string[]) => (names.some((name) => this.keys.has(name)) ? 1 : 0);
-    const fast = held("shift") === 1 ? 4 : 1;
+    requestAnimationFrame((next) => this.tick(next));
+  }
+
+  private step(seconds: number): void {
+    const keys = [...this.keys.values()];
+    const held = (...names: string[]) => (names.some((name) => keys.includes(name)) ? 1 : 0);
+    const fast = this.isFast ? 4 : 1;
     const yaw = (held("arrowleft") - held("arrowright")) * KEY_TURN * seconds;
     const pitch = (held("arrowup") - held("arrowdown")) * KEY_TURN * seconds;
     const speed = KEY_FLIGHT * seconds * fast;
@@ -133,8 +146,5 @@ export class Input {
       const [ahead, side, above] = [held("w") - held("s"), held("d") - held("a"), held("e") - held("q")];
       return fly(near, ahead * step, side * step, above * step, extent);
     });
-    this.keys.delete("shift");
-    if (fast > 1 && this.keys.size > 0) this.keys.add("shift");
-    requestAnimationFrame((next) => this.tick(next));
   }
 }

@@ -17,9 +17,12 @@ export interface StageEvents {
   drawn(frame: Drawn): void;
   /** The camera cannot be rendered: go back to the first view. */
   home(): void;
+  /** What was shown is not resident any more and is wanted again. */
+  evicted(): void;
 }
 
 const RETRY_MS = 500;
+const EVICTED = "evicted"; // one message, however many stages a page has
 const LARGEST_SIDE = 2048;
 
 export class Stage {
@@ -66,7 +69,7 @@ export class Stage {
       const structure = await readyStructure(look.scene, look.structure, look.build, signal);
       if (signal.aborted) return;
       this.say("");
-      dismiss(this.subject);
+      for (const subject of [this.subject, EVICTED]) dismiss(subject);
       const { scene: name, traversal, kernel, tier, mode, depth, output } = look;
       const lights = look.lights === null ? {} : { lights: look.lights };
       this.viewer.show({
@@ -101,7 +104,7 @@ export class Stage {
     this.preparing.abort();
     this.watch.disconnect();
     this.viewer.close();
-    dismiss(this.subject);
+    for (const subject of [this.subject, `${this.subject}-frame`, EVICTED]) dismiss(subject);
   }
 
   private measure(): void {
@@ -128,7 +131,8 @@ export class Stage {
     if (error instanceof Problem && (error.status === 404 || error.status === 409)) {
       this.viewer.show(null);
       this.say("Not resident any more.");
-      notice(subject, "error", error.message, { label: "Load it again", run: () => this.again() });
+      const text = `What was shown of ${this.look?.scene} is not loaded any more.`;
+      notice(EVICTED, "error", text, { label: "Load it again", run: () => this.events.evicted() });
     } else if (error instanceof Problem && error.code === "invalid_camera") {
       notice(subject, "error", error.message, { label: "First view", run: () => this.events.home() });
     } else {

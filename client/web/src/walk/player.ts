@@ -20,7 +20,7 @@ export interface PlayerEvents {
   traced(technique: string, frame: number, traceMs: number, image: ImageBitmap | null): void;
   at(frame: number): void;
   ended(): void;
-  failed(error: unknown): void;
+  failed(error: unknown, wasPlaying: boolean): void;
 }
 
 export class Player {
@@ -90,9 +90,10 @@ export class Player {
       }
     } catch (error) {
       if (!isAbort(error) && walk === this.walk) {
+        const wasPlaying = this.isPlaying;
         this.next = null;
         this.isPlaying = false;
-        this.events.failed(error);
+        this.events.failed(error, wasPlaying);
       }
     }
     this.isBusy = false;
