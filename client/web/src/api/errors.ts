@@ -23,6 +23,11 @@ export class Unreachable extends Error {
   }
 }
 
+/** What was asked for is not resident any more. */
+export function isEvicted(error: unknown): boolean {
+  return error instanceof Problem && (error.status === 404 || error.status === 409);
+}
+
 export function isAbort(error: unknown): boolean {
   return error instanceof DOMException && error.name === "AbortError";
 }

@@ -2,14 +2,9 @@
 import type { BenchmarkResult, ResultRow } from "../api/types.ts";
 import { nameOf, paperName } from "../techniques.ts";
 import { count, figure } from "../ui/format.ts";
+import type { SortColumn } from "../ui/sortTable.ts";
 
-export interface Column {
-  name: string;
-  title: string;
-  isNumber: boolean;
-  key(row: ResultRow): string | number | null;
-  text(row: ResultRow): string;
-}
+type Column = SortColumn<ResultRow>;
 
 type PaperTable = Record<string, Record<string, number | null> | undefined>;
 

@@ -1,5 +1,5 @@
 // Walkthrough: the scene's path, frame by frame, and what each technique takes for it.
-import { Problem } from "../api/errors.ts";
+import { isEvicted } from "../api/errors.ts";
 import { getKinds, isOffered, listScenes } from "../api/resources.ts";
 import type { Mode, Scene } from "../api/types.ts";
 import type { OpenPage, Page } from "../app/page.ts";
@@ -10,7 +10,7 @@ import { nameOf, type Technique, techniquesOf } from "../techniques.ts";
 import { fill, h, put, say } from "../ui/dom.ts";
 import { numberField, selectField } from "../ui/fields.ts";
 import { count, figure } from "../ui/format.ts";
-import { dismiss, notice, noticeOf } from "../ui/notice.ts";
+import { dismiss, noticeOf, noticeOfEvicted } from "../ui/notice.ts";
 import { type TechniqueList, techniqueList } from "../ui/techniqueList.ts";
 import { MODES } from "../viewer/choice.ts";
 import { Player, type Walk } from "../walk/player.ts";
@@ -240,10 +240,9 @@ class Walkthrough implements Page {
     this.wasPlaying ||= wasPlaying;
     this.showPlaying();
     say(this.status, "");
-    const again = { label: "Load it again", run: () => this.recover() };
-    if (error instanceof Problem && (error.status === 404 || error.status === 409)) {
-      notice("walkthrough", "error", `What was shown of ${this.player.walk.scene} is not loaded any more.`, again);
-    } else noticeOf("walkthrough", error, { label: "Try again", run: () => this.recover() });
+    const run = () => this.recover();
+    if (isEvicted(error)) noticeOfEvicted("walkthrough", this.player.walk.scene, run);
+    else noticeOf("walkthrough", error, { label: "Try again", run });
   }
 }
 

@@ -35,3 +35,8 @@ export function noticeOf(subject: string, error: unknown, action?: Action): void
   if (error instanceof Problem && error.status === 401) return;
   notice(subject, "error", sentence(error), action);
 }
+
+/** What was shown is not resident any more; `run` gets it again. */
+export function noticeOfEvicted(subject: string, scene: string, run: () => void): void {
+  notice(subject, "error", `What was shown of ${scene} is not loaded any more.`, { label: "Load it again", run });
+}

@@ -1,5 +1,6 @@
 // What a viewer is asked to show: a scene, a technique and its settings.
 import type { Kind, Mode, Option, Options, Output } from "../api/types.ts";
+import { plural } from "../ui/format.ts";
 
 export interface Look {
   scene: string;
@@ -60,7 +61,7 @@ export function known(look: Look, kinds: Kind[]): Look {
 export function briefly(look: Look): string {
   const words = [`${look.structure}/${look.traversal}`, look.mode];
   if (look.mode === "whitted" && look.depth !== DEFAULT_LOOK.depth) words.push(`depth ${look.depth}`);
-  if (look.lights !== null) words.push(look.lights === 0 ? "no lights" : `first ${look.lights} lights`);
+  if (look.lights !== null) words.push(look.lights === 0 ? "no lights" : plural(look.lights, "light"));
   if (look.tier !== DEFAULT_LOOK.tier) words.push(look.tier);
   for (const [name, value] of Object.entries({ ...look.build, ...look.kernel })) words.push(`${name}=${value}`);
   return words.join(", ");

@@ -3,7 +3,7 @@ import type { Kind, Scene } from "../api/types.ts";
 import { h } from "../ui/dom.ts";
 import { type Choice, numberField, selectField } from "../ui/fields.ts";
 import { optionFields } from "../ui/optionFields.ts";
-import { known, type Look, MODES, OUTPUTS, traversalsOf } from "./choice.ts";
+import { type Look, MODES, OUTPUTS, traversalsOf } from "./choice.ts";
 
 const MODE_NAMES = { primary: "primary rays", shadow: "with shadows", whitted: "Whitted, recursive" };
 const OUTPUT_NAMES = {
@@ -16,7 +16,7 @@ const OUTPUT_NAMES = {
 
 export interface LookPanel {
   element: HTMLElement;
-  /** Shows a look; `change` is not called. */
+  /** Shows a look of known names; `change` is not called. */
   show(look: Look, scene: Scene | undefined): void;
 }
 
@@ -38,8 +38,7 @@ export function lookPanel(
 ): LookPanel {
   let look: Look;
   const update = (part: Partial<Look>) => {
-    look = known({ ...look, ...part }, kinds);
-    change(look);
+    change({ ...look, ...part });
   };
   const named = (names: readonly string[], labels: Record<string, string> = {}) =>
     names.map((name) => ({ value: name, label: labels[name] ?? name }));
@@ -79,7 +78,7 @@ export function lookPanel(
   return {
     element,
     show: (wanted, scene) => {
-      look = known(wanted, kinds);
+      look = wanted;
       const kind = kinds.find((one) => one.name === look.structure);
       const names = traversalsOf(kinds, look.structure);
       const chosen = kind?.traversals.find((one) => one.name === look.traversal);

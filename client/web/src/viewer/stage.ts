@@ -1,9 +1,9 @@
 // A viewer on the page: it makes resident what is to be shown, follows its size, and says what is wrong.
-import { isAbort, Problem } from "../api/errors.ts";
+import { isAbort, isEvicted, Problem } from "../api/errors.ts";
 import { readyStructure, residentScene } from "../api/prepare.ts";
 import type { Scene } from "../api/types.ts";
 import { h, say } from "../ui/dom.ts";
-import { dismiss, notice, noticeOf } from "../ui/notice.ts";
+import { dismiss, notice, noticeOf, noticeOfEvicted } from "../ui/notice.ts";
 import type { Extent } from "./camera.ts";
 import type { Look } from "./choice.ts";
 import { type Drawn, Viewer } from "./viewer.ts";
@@ -128,11 +128,10 @@ export class Stage {
 
   private failed(error: unknown): void {
     const subject = `${this.subject}-frame`;
-    if (error instanceof Problem && (error.status === 404 || error.status === 409)) {
+    if (isEvicted(error)) {
       this.viewer.show(null);
       this.say("Not resident any more.");
-      const text = `What was shown of ${this.look?.scene} is not loaded any more.`;
-      notice(EVICTED, "error", text, { label: "Load it again", run: () => this.events.evicted() });
+      noticeOfEvicted(EVICTED, this.look?.scene ?? "this scene", () => this.events.evicted());
     } else if (error instanceof Problem && error.code === "invalid_camera") {
       notice(subject, "error", error.message, { label: "First view", run: () => this.events.home() });
     } else {
