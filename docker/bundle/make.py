@@ -5,6 +5,7 @@ glibc 2.36 or newer, with or without a GPU. Fails when a rule of rules.py is bro
 """
 
 import argparse
+import os
 import re
 import shutil
 import subprocess
@@ -20,7 +21,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build/bundle"
 OPENIMAGEIO = ROOT / "build/openimageio"
-TEST_PROGRAMS = ("test_device", "test_gpu", "raywalk_at_scale")
+TEST_PROGRAMS = ("test_device", "test_gpu", "test_accuracy", "raywalk_at_scale")
 LDD_LINE = re.compile(r"^\s*(\S+) => (/\S+)")
 
 
@@ -29,6 +30,11 @@ def version() -> str:
     found = re.search(r"^CMAKE_PROJECT_VERSION:STATIC=(.+)$", cache, re.MULTILINE)
     assert found, "CMake keeps the project's version in its cache"
     return found[1]
+
+
+def build_tests() -> None:
+    command = ["cmake", "--build", BUILD, "--parallel", str(os.cpu_count()), "--target", *TEST_PROGRAMS]
+    subprocess.run(command, check=True, stdout=sys.stderr)
 
 
 def install(program: str, bundle: Path) -> None:
@@ -114,8 +120,9 @@ def main() -> int:
     shutil.rmtree(bundle, ignore_errors=True)
     bundle.mkdir(parents=True)
 
-    built = [name for name in TEST_PROGRAMS if (BUILD / "tests" / name).is_file()] if with_tests else []
-    for program in ["raywalkd", *built]:
+    if with_tests:
+        build_tests()
+    for program in ["raywalkd", *(TEST_PROGRAMS if with_tests else ())]:
         install(program, bundle)
     libraries = place_libraries(bundle, [*bundle.glob("bin/*"), *bundle.glob("tests/*")])
     place_client(bundle)
