@@ -14,22 +14,8 @@ struct alignas(16) Float4 {
   float x, y, z, w;
   RW_FN float operator[](u32 lane) const { return lane == 0 ? x : lane == 1 ? y : lane == 2 ? z : w; }
 };
-/// Whether the halves (x, y) and (z, w) change places.
-struct HalfSwap {
-  bool on;
-};
-RW_FN HalfSwap half_swap(bool on) {
-  return {on};
-}
-RW_FN Float4 swapped(Float4 v, HalfSwap swap) {
-  return {swap.on ? v.z : v.x, swap.on ? v.w : v.y, swap.on ? v.x : v.z, swap.on ? v.y : v.w};
-}
 RW_FN Float4 fma(Float4 a, Float4 b, Float4 c) {
   return {fma(a.x, b.x, c.x), fma(a.y, b.y, c.y), fma(a.z, b.z, c.z), fma(a.w, b.w, c.w)};
-}
-/// As `larger` of floats: a NaN in `a` is dropped.
-RW_FN Float4 larger(Float4 a, Float4 b) {
-  return {larger(a.x, b.x), larger(a.y, b.y), larger(a.z, b.z), larger(a.w, b.w)};
 }
 RW_FN Float4 all_of(float a) {
   return {a, a, a, a};
@@ -52,42 +38,70 @@ RW_FN Float4 floats_of_bytes(u32 bytes) {
   const auto one = [bytes](u32 choice) { return float_of(__byte_perm(bytes, 0x4b000000u, choice)) - 0x1p23f; };
   return {one(0x7440u), one(0x7441u), one(0x7442u), one(0x7443u)};
 }
-/// Bit i (of two) is set when v[i] <= -v[i + 2].
-RW_FN u32 ordered_pairs(Float4 v) {
-  return (v.x <= -v.z ? 1u : 0u) | (v.y <= -v.w ? 2u : 0u);
-}
 
 #else
 
 using Float4 = float __attribute__((vector_size(16)));
+/// Whether the halves, lanes 0 and 1 and lanes 2 and 3, change places.
 using HalfSwap = int __attribute__((vector_size(16)));
 
-inline HalfSwap half_swap(bool on) {
-  return on ? HalfSwap{2, 3, 0, 1} : HalfSwap{0, 1, 2, 3};
+/// They do when that lane of `v` is below zero.
+template <int lane>
+inline HalfSwap half_swap(Float4 v) {
+  const HalfSwap below = v < 0.0f;
+  return (__builtin_shuffle(below, HalfSwap{lane, lane, lane, lane}) & 2) ^ HalfSwap { 0, 1, 2, 3 };
 }
 inline Float4 swapped(Float4 v, HalfSwap swap) {
   return __builtin_shuffle(v, swap);
 }
+/// That lane of `a` twice, then that of `b` twice.
+template <int lane>
+inline Float4 pair_of(Float4 a, Float4 b) {
+  return _mm_shuffle_ps(a, b, lane * 0x55);
+}
 inline Float4 fma(Float4 a, Float4 b, Float4 c) {
   return _mm_fmadd_ps(a, b, c);
 }
+/// As `larger` of floats: a NaN in `a` is dropped.
 inline Float4 larger(Float4 a, Float4 b) {
   return _mm_max_ps(a, b);
 }
 inline Float4 all_of(float a) {
   return _mm_set1_ps(a);
 }
+inline Float4 reciprocal(Float4 a) {
+  return 1.0f / a;
+}
+inline Float4 magnitude(Float4 a) {
+  return _mm_andnot_ps(all_of(-0.0f), a);
+}
+/// `a` is not negative.
+inline Float4 with_sign_of(Float4 a, Float4 sign) {
+  return _mm_or_ps(a, _mm_and_ps(all_of(-0.0f), sign));
+}
+/// Two numbers of IEEE's half precision in a word, the lower half first.
 inline Float4 floats_of_halves(u32 xy, u32 zw) {
   return _mm_cvtph_ps(_mm_cvtsi64_si128(static_cast<long long>(xy | static_cast<u64>(zw) << 32)));
 }
 inline Float4 floats_of_bytes(u32 bytes) {
   return _mm_cvtepi32_ps(_mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(bytes))));
 }
+/// Bit i (of two) is set when v[i] <= -v[i + 2].
 inline u32 ordered_pairs(Float4 v) {
   const Float4 negated = -__builtin_shuffle(v, HalfSwap{2, 3, 0, 1});
   return static_cast<u32>(_mm_movemask_ps(_mm_cmple_ps(v, negated))) & 3u;
 }
 
 #endif
+
+/// `a` in every lane; T is Float4 or float.
+template <class T>
+RW_FN T splat(float a) {
+  return all_of(a);
+}
+template <>
+RW_FN float splat<float>(float a) {
+  return a;
+}
 
 }  // namespace raywalk

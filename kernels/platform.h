@@ -83,12 +83,18 @@ RW_FN float smaller(float a, float b) {
 RW_FN float larger(float a, float b) {
   return ::fmaxf(a, b);
 }
+RW_FN float magnitude(float a) {
+  return float_of(bits_of(a) & 0x7fffffffu);
+}
 #else
 RW_FN float smaller(float a, float b) {
   return a < b ? a : b;
 }
 RW_FN float larger(float a, float b) {
   return a > b ? a : b;
+}
+RW_FN float magnitude(float a) {
+  return __builtin_fabsf(a);  // stays in its register
 }
 #endif
 RW_FN u32 smaller(u32 a, u32 b) {
@@ -97,8 +103,9 @@ RW_FN u32 smaller(u32 a, u32 b) {
 RW_FN u32 larger(u32 a, u32 b) {
   return a > b ? a : b;
 }
-RW_FN float magnitude(float a) {
-  return float_of(bits_of(a) & 0x7fffffffu);
+/// `a` is not negative.
+RW_FN float with_sign_of(float a, float sign) {
+  return float_of(bits_of(a) | (bits_of(sign) & 0x80000000u));
 }
 RW_FN double magnitude(double a) {
   return a < 0.0 ? -a : a;

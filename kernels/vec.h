@@ -59,7 +59,7 @@ RW_FN bool is_finite(Vec3 a) {
 
 /// |a|, at least `floor`, with the sign of a.
 RW_FN float away_from_zero(float a, float floor) {
-  return float_of(bits_of(larger(magnitude(a), floor)) | (bits_of(a) & 0x80000000u));
+  return with_sign_of(larger(magnitude(a), floor), a);
 }
 RW_FN Vec3 away_from_zero(Vec3 a, float floor) {
   return {away_from_zero(a.x, floor), away_from_zero(a.y, floor), away_from_zero(a.z, floor)};

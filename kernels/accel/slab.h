@@ -1,5 +1,6 @@
 // Bounds of a ray against boxes: the ray-box tests that the knob `slab` chooses among.
 #pragma once
+#include "kernels/float4.h"
 #include "kernels/knobs.h"
 #include "kernels/ray.h"
 
@@ -35,11 +36,17 @@ struct IzeSlab {
   static constexpr bool kInfinities = true;
 };
 
-/// Where a ray crosses planes; see `crossing`. The planes that face the ray's origin have `inverse` and `near`, the
-/// opposite ones `inverse_far` and `far`.
-struct SlabRay {
-  Vec3 inverse, inverse_far, near, far;
+/// Where a ray crosses planes, by axis; see `crossing`. The planes that face the ray's origin have `inverse` and
+/// `near`, the opposite ones `inverse_far` and `far`. On the host the axes share a register.
+template <class T>
+struct SlabAxes {
+  T inverse, inverse_far, near, far;
 };
+#if RW_GPU
+using SlabRay = SlabAxes<Vec3>;
+#else
+using SlabRay = SlabAxes<Float4>;
+#endif
 
 /// Distance to a plane p of a box, relative to the scene's centre.
 template <class Slab>
@@ -57,52 +64,76 @@ RW_FN float widened(float exit) {
 
 namespace detail {
 
-struct SlabAxis {
-  float inverse, inverse_far, near, far;
+/// What a ray has in common along all axes.
+struct SlabScale {
+  float main;   // the largest component of its direction
+  float reach;  // at least the distance to any vertex of the scene
+  float steep;  // of a direction's component: above it, padding is a cone
 };
 
-/// `d` is not zero. The origin is padded, and the direction is taken for anything between d - beam and d + beam, which
-/// has d's sign. An axis along which distances t would overflow or lose precision is left out: every box spans it.
-RW_FN SlabAxis slab_axis(float o, float d, float reach, float padding, float beam) {
-  const float inverse = reciprocal(d);
-  const float spread = beam * magnitude(inverse);
-  const float span = reach * magnitude(inverse);
-  if (!(span > 0x1p-100f && span < 0x1p125f)) return {0.0f, 0.0f, -kMaxFloat, kMaxFloat};
-  SlabAxis axis{fma(-spread, inverse, inverse), fma(spread, inverse, inverse), 0, 0};
-  const float outward = float_of(bits_of(padding) | (bits_of(d) & 0x80000000u));
-  axis.near = -(o + outward) * axis.inverse;
-  axis.far = -(o - outward) * axis.inverse_far;
-  return axis;
+/// T is one axis, as on the GPU, or all of them in a register. A direction component of zero becomes tiny, with its
+/// sign: across the scene that moves the ray by much less than the padding. An axis along which distances t would
+/// overflow or lose precision is left out: every box spans it.
+template <class Slab, class T>
+RW_FN SlabAxes<T> slab_axes(T o, T component, const SlabScale& scale) {
+  const T d = with_sign_of(larger(magnitude(component), splat<T>(scale.main * 0x1p-30f)), component);
+  // The origin is padded, and the direction is taken for anything between d - beam and d + beam, which has d's sign.
+  // The beam is a little more than 32 u, since the inverse of d - beam is taken for (1 + beam / d) / d.
+  const auto cone = magnitude(d) > splat<T>(scale.steep);
+  const T padding = cone ? magnitude(o) * 0x1p-22f : splat<T>(scale.reach * 0x1p-19f);
+  const T beam = cone ? splat<T>(0x1.01p-19f * scale.main) : splat<T>(0.0f);
+  const T inverse = reciprocal(d);
+  const T spread = beam * magnitude(inverse);
+  const T span = scale.reach * magnitude(inverse);
+  const auto counts = (span > splat<T>(0x1p-100f)) & (span < splat<T>(0x1p125f));
+  const SlabAxes<T> spanned{splat<T>(0.0f), splat<T>(0.0f), splat<T>(-kMaxFloat), splat<T>(kMaxFloat)};
+#if RW_GPU
+  if (!counts) return spanned;
+#endif
+  SlabAxes<T> s{inverse, inverse, -o * inverse, -o * inverse};
+  if constexpr (Slab::kPads) {
+    s.inverse = fma(-spread, inverse, inverse);
+    s.inverse_far = fma(spread, inverse, inverse);
+    const T outward = with_sign_of(padding, d);
+    s.near = -(o + outward) * s.inverse;
+    s.far = -(o - outward) * s.inverse_far;
+  }
+#if RW_GPU
+  return s;
+#else
+  return {counts ? s.inverse : spanned.inverse, counts ? s.inverse_far : spanned.inverse_far,
+          counts ? s.near : spanned.near, counts ? s.far : spanned.far};
+#endif
 }
 
 }  // namespace detail
 
-/// `centre` and `half_extent` (the largest of the three) describe the bounds of the whole scene. A direction component
-/// of zero becomes tiny, with its sign: across the scene that moves the ray by much less than the padding. Ize's test
-/// keeps it.
+/// `centre` and `half_extent` (the largest of the three) describe the bounds of the whole scene.
 template <class Slab>
 RW_FN SlabRay slab_ray(const Ray& ray, Vec3 centre, float half_extent) {
   const Vec3 o = ray.o - centre;
+  const float main = largest(magnitude(ray.d));
+  const detail::SlabScale scale{main, largest(magnitude(o)) + half_extent,
+                                ray.tmin >= 0.0f ? main * 0x1p-8f : kMaxFloat};
+#if RW_GPU
   if constexpr (Slab::kInfinities) {
     const Vec3 inverse{divide(1.0f, ray.d.x), divide(1.0f, ray.d.y), divide(1.0f, ray.d.z)};
     return {inverse, inverse, o, o};
   }
-  const float reach = largest(magnitude(o)) + half_extent;
-  const float main = largest(magnitude(ray.d));
-  const float steep = ray.tmin >= 0.0f ? main * 0x1p-8f : kMaxFloat;
-  const auto axis_of = [&](float origin, float component) {
-    const float d = away_from_zero(component, main * 0x1p-30f);
-    if constexpr (!Slab::kPads) return detail::slab_axis(origin, d, reach, 0.0f, 0.0f);
-    const bool cone = magnitude(d) > steep;
-    const float padding = cone ? magnitude(origin) * 0x1p-22f : reach * 0x1p-19f;
-    // A little more than 32 u, since the inverse of d - beam is taken for (1 + beam / d) / d.
-    return detail::slab_axis(origin, d, reach, padding, cone ? 0x1.01p-19f * main : 0.0f);
-  };
-  const detail::SlabAxis x = axis_of(o.x, ray.d.x), y = axis_of(o.y, ray.d.y), z = axis_of(o.z, ray.d.z);
-  const Vec3 inverse{x.inverse, y.inverse, z.inverse};
-  SlabRay s{inverse, inverse, {x.near, y.near, z.near}, {x.far, y.far, z.far}};
-  if constexpr (Slab::kPads) s.inverse_far = {x.inverse_far, y.inverse_far, z.inverse_far};
-  return s;
+  const auto x = detail::slab_axes<Slab>(o.x, ray.d.x, scale), y = detail::slab_axes<Slab>(o.y, ray.d.y, scale),
+             z = detail::slab_axes<Slab>(o.z, ray.d.z, scale);
+  return {{x.inverse, y.inverse, z.inverse},
+          {x.inverse_far, y.inverse_far, z.inverse_far},
+          {x.near, y.near, z.near},
+          {x.far, y.far, z.far}};
+#else
+  const Float4 origin{o.x, o.y, o.z, 0.0f}, d{ray.d.x, ray.d.y, ray.d.z, 0.0f};
+  if constexpr (Slab::kInfinities) {
+    const Float4 inverse = reciprocal(d);
+    return {inverse, inverse, origin, origin};
+  }
+  return detail::slab_axes<Slab>(origin, d, scale);
+#endif
 }
 
 }  // namespace raywalk

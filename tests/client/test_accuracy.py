@@ -21,7 +21,7 @@ from raywalk.study.plan import Step, plan
 from raywalk.study.report import report_html
 
 from tests.client.accuracy_parts import FAST, STRICT, accuracy_result, case, row
-from tests.client.conftest import EVENTS, JOB
+from tests.client.conftest import EVENTS, JOB, problem
 from tests.client.study_parts import stored
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -130,7 +130,7 @@ def test_the_table_of_a_sweep(small) -> None:
     assert fast[1] == "moeller-trumbore" and fast[6] == "90000 (<180000)"
     notes = " ".join(table.notes)
     assert "0 leaks and 0 double hits in 20,000 rays" in notes
-    assert "0 of 1,200 answers differ from brute force" in notes
+    assert "0 of 600 strict answers, 0 of 600 others" in notes
     assert "0.80x" in notes and "within the goal" in notes
 
 
@@ -205,6 +205,16 @@ def test_the_command_fails_with_a_strict_technique(tmp_path: Path, daemon, raywa
     assert ended.exit_code == 1
     assert "bvh/packet fails hard case 5 (case 5): ray 0x1p0" in ended.stderr
     assert (tmp_path / "accuracy.json").is_file()
+
+
+def test_what_was_measured_before_a_failure_is_kept(tmp_path: Path, daemon, raywalk, small) -> None:
+    replies(daemon, small, small)
+    daemon.on("GET", "/v1/results/r1", problem(404, "not_found", "there is no result r1"))
+    ended = raywalk("accuracy", "--scene", "bunny", "--scene", "robots", "--no-cases", "--out", tmp_path)
+    assert ended.exit_code != 0 and "there is no result r1" in ended.stderr
+    kept = json.loads((tmp_path / "accuracy.json").read_text())
+    assert [one["scene"]["name"] for one in kept] == ["bunny"]
+    assert (tmp_path / "speed-error-bunny.png").is_file()
 
 
 @pytest.mark.parametrize("words", [["--rays", "3"], ["--seed", "-1"]])

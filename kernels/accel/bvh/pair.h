@@ -65,14 +65,17 @@ struct PairSlabs {
 
   RW_FN PairSlabs(const Ray& ray, const Header& header) {
     const SlabRay s = slab_ray<Slab>(ray, header.centre, header.half_extent);
-    for (u32 axis = 0; axis < 3; ++axis) set(axis, s.inverse[axis], s.inverse_far[axis], s.near[axis], s.far[axis]);
+    set<0>(s);
+    set<1>(s);
+    set<2>(s);
   }
 
  private:
-  RW_FN void set(u32 axis, float inv, float inv_far, float near, float far) {
-    inverse[axis] = Float4{inv, inv, -inv_far, -inv_far};
-    offset[axis] = Slab::kInfinities ? Float4{near, near, far, far} : Float4{near, near, -far, -far};
-    swap[axis] = half_swap(inv < 0.0f);
+  template <int axis>
+  RW_FN void set(const SlabRay& s) {
+    inverse[axis] = pair_of<axis>(s.inverse, -s.inverse_far);
+    offset[axis] = pair_of<axis>(s.near, Slab::kInfinities ? s.far : -s.far);
+    swap[axis] = half_swap<axis>(s.inverse);
   }
 };
 

@@ -97,15 +97,21 @@ def fronts_of(result: AccuracyResult) -> dict[str, set[Key]]:
     return {name: {id_of(one) for one in pareto(points)} for name, points in points_of(result).items()}
 
 
+def brute_text(rows: Sequence[SweepRow], *, strict: bool) -> str:
+    """Empty when none of these were compared."""
+    compared = [row.error.brute_mismatches for row in rows if row.strict is strict and row.error.brute_mismatches]
+    count, of = sum(one.count for one in compared), sum(one.of for one in compared)
+    return f"{count} of {of:,} {'strict answers' if strict else 'others'}" if compared else ""
+
+
 def notes_of(result: AccuracyResult) -> list[str]:
     rows = result.rows
     notes = ["bold: nothing else is faster and less wrong; in brackets the upper end of the 95 % interval"]
     notes.append("t ulp: error of well-conditioned distances, 99.9 % of them, in the worst class")
     notes.append("wrong: leaks, false misses and hits, wrong ids, double hits, self-hits and NaN, by exact arithmetic")
-    compared = [row.error.brute_mismatches for row in rows if row.error.brute_mismatches]
-    if compared:
-        count, of = sum(one.count for one in compared), sum(one.of for one in compared)
-        notes.append(f"{count} of {of:,} answers differ from brute force by the same triangle test")
+    told = [text for text in (brute_text(rows, strict=True), brute_text(rows, strict=False)) if text]
+    if told:
+        notes.append(f"differ from brute force by the same triangle test: {', '.join(told)}")
     if result.invalid_costs:
         worst = max(result.invalid_costs, key=lambda one: one.ratio)
         over = "within" if worst.ratio <= GOAL_INVALID else "over"

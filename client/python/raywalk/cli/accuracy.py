@@ -42,7 +42,7 @@ def accuracy(
         for spec in specs:
             with stage_bar(spec.scene or "hard cases") as progress:
                 found.append(measured(client, spec, progress))
-    names = write_accuracy(found, folder)
+            names = write_accuracy(found, folder)  # each time: a later scene may be interrupted
     for result in found:
         table = cases_table(result) if result.cases else sweep_table(result, brief=True)
         results().print(terminal(table))
